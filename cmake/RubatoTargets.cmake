@@ -18,6 +18,7 @@ function(rubato_test name)
   target_link_libraries(${name} PRIVATE rubato rubato_flags GTest::gtest_main)
   target_compile_options(${name} PRIVATE ${RUBATO_TEST_OPTIONS})
   target_precompile_headers(${name} REUSE_FROM rubato_test_headers)
+  set_target_properties(${name} PROPERTIES UNITY_BUILD ${RUBATO_UNITY} UNITY_BUILD_BATCH_SIZE ${RUBATO_TEST_BATCH})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${name} PRIVATE RUBATO_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                              RUBATO_SHARED_DIR="${PROJECT_SOURCE_DIR}/../shared")

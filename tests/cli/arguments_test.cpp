@@ -5,7 +5,7 @@
 #include "program.hpp"
 #include "support/two_blocks.hpp"
 
-namespace rubato {
+namespace rubato::arguments_test {
 namespace {
 
 using test::run_program;
@@ -127,4 +127,4 @@ TEST_F(CommandLine, DescribesAndWritesMeshes) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::arguments_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <ostream>
 
-namespace rubato {
+namespace rubato::bad_input_test {
 namespace {
 
 using test::two_blocks;
@@ -170,4 +170,4 @@ TEST(BadDecks, AreRefusedWhenTheOutputCannotBeMade) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::bad_input_test

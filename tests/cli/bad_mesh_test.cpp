@@ -7,7 +7,7 @@
 
 #include "program.hpp"
 
-namespace rubato {
+namespace rubato::bad_mesh_test {
 namespace {
 
 /// One fault in the file, or one change by --set, and the deck is refused.
@@ -176,4 +176,4 @@ TEST_F(BadMeshFile, IsToldWhenTheMeshOfThatNameIsMissing) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::bad_mesh_test

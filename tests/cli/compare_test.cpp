@@ -7,7 +7,7 @@
 #include "support/two_blocks.hpp"
 #include <memory>
 
-namespace rubato {
+namespace rubato::compare_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -215,4 +215,4 @@ TEST_F(CheckedAgainst, ARunOnAGroupThatThereIsNotIsRefusedBeforeAnyRun) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::compare_test

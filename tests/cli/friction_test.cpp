@@ -8,7 +8,7 @@
 #include <map>
 #include <sstream>
 
-namespace rubato {
+namespace rubato::friction_test {
 namespace {
 
 using test::run_program;
@@ -107,4 +107,4 @@ TEST_F(FrictionOfPlace, IsRefusedWhereItIsNegativeOrChangesWithTime) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::friction_test

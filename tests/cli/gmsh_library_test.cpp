@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-namespace rubato {
+namespace rubato::gmsh_library_test {
 namespace {
 
 using test::run_program;
@@ -50,4 +50,4 @@ TEST_F(BrokenGmshLibrary, IsToldToWhoGivesAGmshGeometry) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::gmsh_library_test

@@ -5,7 +5,7 @@
 #include "program.hpp"
 #include <sstream>
 
-namespace rubato {
+namespace rubato::groups_test {
 namespace {
 
 using test::run_program;
@@ -94,4 +94,4 @@ TEST_F(GroupsOfTheProgram, AreRefusedOnTheCommandLine) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::groups_test

@@ -6,7 +6,7 @@
 #include "program.hpp"
 #include <sstream>
 
-namespace rubato {
+namespace rubato::inp_test {
 namespace {
 
 using test::run_program;
@@ -121,4 +121,4 @@ TEST(InpFiles, TellFaultsThatOnlyTheMeshShowsAtTheirLines) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::inp_test

@@ -11,7 +11,7 @@
 #include <csignal>
 #include <thread>
 
-namespace rubato {
+namespace rubato::interrupt_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -95,4 +95,4 @@ TEST(KilledRun, LeavesAFolderThatSaysSo) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::interrupt_test

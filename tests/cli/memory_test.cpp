@@ -5,7 +5,7 @@
 #include "program.hpp"
 #include <algorithm>
 
-namespace rubato {
+namespace rubato::memory_test {
 namespace {
 
 constexpr rlim_t mebibyte = 1 << 20;
@@ -68,4 +68,4 @@ TEST_F(SmallMemory, IsToldPlainlyWhenItIsUsedUp) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::memory_test

@@ -10,7 +10,7 @@
 #include "program.hpp"
 #include <algorithm>
 
-namespace rubato {
+namespace rubato::mesh_names_test {
 namespace {
 
 using test::run_program;
@@ -134,4 +134,4 @@ TEST_F(MeshOfOthers, HasTheFormatsThatAreBuiltIn) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::mesh_names_test

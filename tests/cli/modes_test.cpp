@@ -7,7 +7,7 @@
 #include "program.hpp"
 #include "support/two_blocks.hpp"
 
-namespace rubato {
+namespace rubato::modes_test {
 namespace {
 
 class ModesCommand : public testing::Test {
@@ -93,4 +93,4 @@ TEST_F(ModesCommand, RefusesBadInputWithItsPlace) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::modes_test

@@ -5,7 +5,7 @@
 #include "program.hpp"
 #include "support/two_blocks.hpp"
 
-namespace rubato::test {
+namespace rubato::test::report_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -91,4 +91,4 @@ TEST_F(ReportOfRuns, InAFolderThatDoesNotExistIsRefused) {
 }
 
 } // namespace
-} // namespace rubato::test
+} // namespace rubato::test::report_test

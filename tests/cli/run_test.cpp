@@ -9,7 +9,7 @@
 #include "program.hpp"
 #include "support/two_blocks.hpp"
 
-namespace rubato {
+namespace rubato::run_test {
 namespace {
 
 using test::two_blocks;
@@ -239,4 +239,4 @@ TEST_F(Run, IsCheckedOnlyWhereThereIsOne) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::run_test

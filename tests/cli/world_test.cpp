@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <csignal>
 
-namespace rubato {
+namespace rubato::world_test {
 namespace {
 
 using test::text_of;
@@ -146,4 +146,4 @@ TEST_F(World, IsToldWhenAMeshDoesNotFitOnTheDisk) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::world_test

@@ -6,7 +6,7 @@
 #include "support/two_blocks.hpp"
 #include <filesystem>
 
-namespace rubato {
+namespace rubato::missing_test {
 namespace {
 
 TEST(MissingModule, IsToldToWhoAsksForIt) {
@@ -31,4 +31,4 @@ TEST(MissingModule, IsToldToWhoAsksForIt) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::missing_test

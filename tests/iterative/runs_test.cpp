@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato {
+namespace rubato::runs_test {
 namespace {
 
 using test::with;
@@ -149,4 +149,4 @@ TEST_F(IterativeRun, SaysWhatItNeedsBeforeItRuns) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::runs_test

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace rubato {
+namespace rubato::duplicates_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -131,4 +131,4 @@ TEST(Modules, ShareNoSixLinesOfCode) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::duplicates_test

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace rubato {
+namespace rubato::includes_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -126,4 +126,4 @@ TEST(Files, HaveAtMostFiveHundredLines) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::includes_test

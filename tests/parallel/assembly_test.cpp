@@ -10,7 +10,7 @@
 #include "support/model_of.hpp"
 #include <random>
 
-namespace rubato::domain {
+namespace rubato::domain::assembly_test {
 namespace {
 
 constexpr std::array more_threads{2, 3, 5};
@@ -101,4 +101,4 @@ TEST(ProductByThreads, DiffersFromThatOfOneByRounding) {
 }
 
 } // namespace
-} // namespace rubato::domain
+} // namespace rubato::domain::assembly_test

@@ -12,7 +12,7 @@
 #include <ostream>
 #include <string>
 
-namespace rubato::simulation {
+namespace rubato::simulation::implicit_ranks_test {
 namespace {
 
 using test::of_ranks;
@@ -150,4 +150,4 @@ TEST(ImplicitRanks, AgreeOnAFailedCell) {
 }
 
 } // namespace
-} // namespace rubato::simulation
+} // namespace rubato::simulation::implicit_ranks_test

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace rubato::simulation {
+namespace rubato::simulation::ranks_test {
 namespace {
 
 using namespace test::blocks;
@@ -94,4 +94,4 @@ TEST(ExplicitRanks, AgreeOnAFailedCell) {
 }
 
 } // namespace
-} // namespace rubato::simulation
+} // namespace rubato::simulation::ranks_test

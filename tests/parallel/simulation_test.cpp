@@ -6,7 +6,7 @@
 #include "support/simulated_blocks.hpp"
 #include <string>
 
-namespace rubato::simulation {
+namespace rubato::simulation::simulation_test {
 namespace {
 
 using namespace test::blocks;
@@ -79,4 +79,4 @@ INSTANTIATE_TEST_SUITE_P(
     name_of);
 
 } // namespace
-} // namespace rubato::simulation
+} // namespace rubato::simulation::simulation_test

@@ -9,7 +9,7 @@
 #include "patch/contact_blocks.hpp"
 #include "patch/pyramids.hpp"
 
-namespace rubato {
+namespace rubato::contact_patch_test {
 namespace {
 
 using test::ContactBlocks;
@@ -123,4 +123,4 @@ TEST(BlocksThatDoNotMatch, DeviateFromAUniformPressureByWhatTheRatioOfTheirFaces
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::contact_patch_test

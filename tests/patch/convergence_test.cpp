@@ -16,7 +16,7 @@
 #include "support/patch_mesh.hpp"
 #include <cmath>
 
-namespace rubato {
+namespace rubato::convergence_test {
 namespace {
 
 using Eigen::Index;
@@ -181,4 +181,4 @@ INSTANTIATE_TEST_SUITE_P(Manufactured, EveryCellOrder, testing::ValuesIn(test::e
                          [](const auto& instance) { return test::name_of(instance.param); });
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::convergence_test

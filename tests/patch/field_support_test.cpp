@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-namespace rubato {
+namespace rubato::field_support_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -81,4 +81,4 @@ INSTANTIATE_TEST_SUITE_P(Cells, EveryCellWhoseBoundaryIsMoved, testing::ValuesIn
                          [](const auto& instance) { return test::name_of(instance.param); });
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::field_support_test

@@ -8,7 +8,7 @@
 #include "support/walk.hpp"
 #include <cmath>
 
-namespace rubato {
+namespace rubato::many_points_test {
 namespace {
 
 constexpr const char* plates = R"(mesh:
@@ -40,4 +40,4 @@ TEST(ManyPoints, PressedAtOnceCarryTheSamePressure) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::many_points_test

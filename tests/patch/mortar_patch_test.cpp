@@ -8,7 +8,7 @@
 #include <array>
 #include <tuple>
 
-namespace rubato {
+namespace rubato::mortar_patch_test {
 namespace {
 
 using test::ContactBlocks;
@@ -48,4 +48,4 @@ INSTANTIATE_TEST_SUITE_P(Solid, MortarBlocks,
                          &test::name_of);
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::mortar_patch_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <string>
 
-namespace rubato {
+namespace rubato::obstacle_patch_test {
 namespace {
 
 using test::Walk;
@@ -114,4 +114,4 @@ TEST(PlaneThatIsDrawnAside, SticksAndThenSlides) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::obstacle_patch_test

@@ -10,7 +10,7 @@
 #include "support/patch_mesh.hpp"
 #include <numbers>
 
-namespace rubato {
+namespace rubato::patch_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -167,4 +167,4 @@ INSTANTIATE_TEST_SUITE_P(Patch, EveryCell, testing::ValuesIn(test::every_bulk_ca
                          [](const auto& instance) { return test::name_of(instance.param); });
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::patch_test

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <string>
 
-namespace rubato {
+namespace rubato::pressed_surfaces_test {
 namespace {
 
 using test::Walk;
@@ -167,4 +167,4 @@ INSTANTIATE_TEST_SUITE_P(Solid, PressedBlocks,
                          name_of);
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::pressed_surfaces_test

@@ -8,7 +8,7 @@
 #include <array>
 #include <tuple>
 
-namespace rubato {
+namespace rubato::tie_patch_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -151,4 +151,4 @@ INSTANTIATE_TEST_SUITE_P(Solid, Tied,
                          &test::name_of);
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::tie_patch_test

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <sys/mount.h>
 
-namespace rubato {
+namespace rubato::full_disk_test {
 namespace {
 
 std::size_t count(const std::string& text, const std::string& word) {
@@ -134,4 +134,4 @@ INSTANTIATE_TEST_SUITE_P(Under, FullDisk, testing::Values(&test::rubbing_beams, 
                          });
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::full_disk_test

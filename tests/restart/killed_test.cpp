@@ -12,7 +12,7 @@
 #include <random>
 #include <thread>
 
-namespace rubato {
+namespace rubato::killed_test {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -78,4 +78,4 @@ INSTANTIATE_TEST_SUITE_P(Of, KilledRun, testing::Values(&test::rubbing_beams, &t
                          });
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::killed_test

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <random>
 
-namespace rubato {
+namespace rubato::refused_test {
 namespace {
 
 using test::with;
@@ -129,4 +129,4 @@ TEST(CheckpointOfAnotherMesh, IsRefused) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::refused_test

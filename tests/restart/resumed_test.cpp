@@ -11,7 +11,7 @@
 #include <csignal>
 #include <thread>
 
-namespace rubato {
+namespace rubato::resumed_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -233,4 +233,4 @@ TEST_F(ResumedRun, KeepsNothingWhenItShallNot) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::resumed_test

@@ -8,7 +8,7 @@
 #include "verification/free_beam.hpp"
 #include <numbers>
 
-namespace rubato::verification {
+namespace rubato::verification::beam_modes_test {
 namespace {
 
 class ModesOfBeam : public testing::TestWithParam<BeamModes> {};
@@ -35,4 +35,4 @@ TEST(ModesOfV11, BeginWithTimoshenkosFrequency) {
 }
 
 } // namespace
-} // namespace rubato::verification
+} // namespace rubato::verification::beam_modes_test

@@ -3,7 +3,7 @@
 
 #include "verification/bulk_benchmarks.hpp"
 
-namespace rubato::verification {
+namespace rubato::verification::bulk_contact_test {
 namespace {
 
 TEST(BulkContact, HasTheNumbersOfItsSources) {
@@ -14,4 +14,4 @@ TEST(BulkContact, HasTheNumbersOfItsSources) {
 }
 
 } // namespace
-} // namespace rubato::verification
+} // namespace rubato::verification::bulk_contact_test

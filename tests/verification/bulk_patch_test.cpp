@@ -19,7 +19,7 @@
 #include <string_view>
 #include <vector>
 
-namespace rubato::verification {
+namespace rubato::verification::bulk_patch_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -229,4 +229,4 @@ INSTANTIATE_TEST_SUITE_P(
     name_of);
 
 } // namespace
-} // namespace rubato::verification
+} // namespace rubato::verification::bulk_patch_test

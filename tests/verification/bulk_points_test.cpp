@@ -3,7 +3,7 @@
 
 #include "verification/bulk_benchmarks.hpp"
 
-namespace rubato::verification {
+namespace rubato::verification::bulk_points_test {
 namespace {
 
 TEST(BulkPoints, HaveTheNumbersOfTheirClosedForms) {
@@ -14,4 +14,4 @@ TEST(BulkPoints, HaveTheNumbersOfTheirClosedForms) {
 }
 
 } // namespace
-} // namespace rubato::verification
+} // namespace rubato::verification::bulk_points_test

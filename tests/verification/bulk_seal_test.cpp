@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace rubato::verification {
+namespace rubato::verification::bulk_seal_test {
 namespace {
 
 /// Forces on the lid at 10, 20 and 30 % on 3072 cells.
@@ -40,4 +40,4 @@ TEST(PressedSeal, IsCutWhereThePredictionTurnsCellsInsideOut) {
 }
 
 } // namespace
-} // namespace rubato::verification
+} // namespace rubato::verification::bulk_seal_test

@@ -8,7 +8,7 @@
 #include <array>
 #include <set>
 
-namespace rubato::verification {
+namespace rubato::verification::bulk_structures_test {
 namespace {
 
 void expect_within(const std::vector<Benchmark>& benchmarks) {
@@ -77,4 +77,4 @@ TEST(LockingOfLinearCells, MayBeLessThanExpectedButNotMore) {
 }
 
 } // namespace
-} // namespace rubato::verification
+} // namespace rubato::verification::bulk_structures_test

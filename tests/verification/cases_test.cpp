@@ -8,7 +8,7 @@
 #include "support/scratch_folder.hpp"
 #include <map>
 
-namespace rubato::verification {
+namespace rubato::verification::cases_test {
 namespace {
 
 class Case : public testing::TestWithParam<const char*> {};
@@ -41,4 +41,4 @@ INSTANTIATE_TEST_SUITE_P(Verification, Case,
                          });
 
 } // namespace
-} // namespace rubato::verification
+} // namespace rubato::verification::cases_test

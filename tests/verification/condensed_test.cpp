@@ -5,7 +5,7 @@
 #include "verification/modelings.hpp"
 #include "verification/sdnl140.hpp"
 
-namespace rubato::verification {
+namespace rubato::verification::condensed_test {
 namespace {
 
 struct Whole {
@@ -52,4 +52,4 @@ INSTANTIATE_TEST_SUITE_P(SDNL140, WholeRun,
                          });
 
 } // namespace
-} // namespace rubato::verification
+} // namespace rubato::verification::condensed_test

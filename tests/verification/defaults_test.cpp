@@ -5,7 +5,7 @@
 
 #include "verification/sdnl140.hpp"
 
-namespace rubato::verification {
+namespace rubato::verification::defaults_test {
 namespace {
 
 run::RunResult modeling_c(std::vector<deck::Setting> changes) {
@@ -29,4 +29,4 @@ TEST(Defaults, CarryModelingCToItsEndOnAMeshTwiceAsFine) {
 }
 
 } // namespace
-} // namespace rubato::verification
+} // namespace rubato::verification::defaults_test

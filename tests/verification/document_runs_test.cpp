@@ -12,7 +12,7 @@
 #include <cmath>
 #include <ostream>
 
-namespace rubato::verification {
+namespace rubato::verification::document_runs_test {
 namespace {
 
 using Changes = std::vector<deck::Setting>;
@@ -154,4 +154,4 @@ TEST(Convergence, ComesToTheAnswerOfAnIndependentExplicitComputation) {
 }
 
 } // namespace
-} // namespace rubato::verification
+} // namespace rubato::verification::document_runs_test

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::verification {
+namespace rubato::verification::energy_test {
 namespace {
 
 constexpr double closed = 1e-10;
@@ -94,4 +94,4 @@ TEST(UndampedNewmark, WarnsLongBeforeExactContactBlowsItUp) {
 }
 
 } // namespace
-} // namespace rubato::verification
+} // namespace rubato::verification::energy_test

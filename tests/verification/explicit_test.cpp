@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rubato::verification {
+namespace rubato::verification::explicit_test {
 namespace {
 
 const std::vector<deck::Setting> explicit_steps{{"time.scheme", "central_difference"},
@@ -68,4 +68,4 @@ TEST(ExplicitModelingF, WithQuadraticCellsGivesTheTrueAnswer) {
 }
 
 } // namespace
-} // namespace rubato::verification
+} // namespace rubato::verification::explicit_test

@@ -7,7 +7,7 @@
 #include "verification/free_beam.hpp"
 #include <numbers>
 
-namespace rubato::verification {
+namespace rubato::verification::free_beam_test {
 namespace {
 
 class FreeBeam : public testing::Test {
@@ -74,4 +74,4 @@ TEST_F(FreeBeam, FollowsTheAmplificationStepByStep) {
 }
 
 } // namespace
-} // namespace rubato::verification
+} // namespace rubato::verification::free_beam_test

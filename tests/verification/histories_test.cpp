@@ -7,7 +7,7 @@
 #include "verification/sdnl140.hpp"
 #include <ostream>
 
-namespace rubato::verification {
+namespace rubato::verification::histories_test {
 namespace {
 
 using Changes = std::vector<deck::Setting>;
@@ -127,4 +127,4 @@ INSTANTIATE_TEST_SUITE_P(
     name_of);
 
 } // namespace
-} // namespace rubato::verification
+} // namespace rubato::verification::histories_test

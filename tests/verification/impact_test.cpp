@@ -6,7 +6,7 @@
 #include <ostream>
 #include <string>
 
-namespace rubato::verification {
+namespace rubato::verification::impact_test {
 namespace {
 
 constexpr double closed = 1e-10;
@@ -166,4 +166,4 @@ TEST(SphereOnWall, IsHertzsImpact) {
 }
 
 } // namespace
-} // namespace rubato::verification
+} // namespace rubato::verification::impact_test

@@ -12,7 +12,7 @@
 #include <array>
 #include <cmath>
 
-namespace rubato::verification {
+namespace rubato::verification::independent_beam_test {
 namespace {
 
 using Eigen::Index;
@@ -127,4 +127,4 @@ TEST(ModelingFWithoutContact, IsAnIndependentProgramsToTwelveDigits) {
 }
 
 } // namespace
-} // namespace rubato::verification
+} // namespace rubato::verification::independent_beam_test

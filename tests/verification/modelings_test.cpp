@@ -5,7 +5,7 @@
 #include "support/scratch_folder.hpp"
 #include "verification/modelings.hpp"
 
-namespace rubato::verification {
+namespace rubato::verification::modelings_test {
 namespace {
 
 TEST(Modeling, RunsWhateverItsDeckHasAndItsChecksHold) {
@@ -37,4 +37,4 @@ TEST(History, HasWholeStepsUpToItsFirstCut) {
 }
 
 } // namespace
-} // namespace rubato::verification
+} // namespace rubato::verification::modelings_test

@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace rubato::verification {
+namespace rubato::verification::mortar_beams_test {
 namespace {
 
 constexpr std::uint32_t seed = 140;
@@ -111,4 +111,4 @@ TEST(RefinedBeams, AreAlikeInSpaceAndInThePlane) {
 }
 
 } // namespace
-} // namespace rubato::verification
+} // namespace rubato::verification::mortar_beams_test

@@ -15,7 +15,7 @@
 #include <tuple>
 #include <utility>
 
-namespace rubato::verification {
+namespace rubato::verification::mortar_test {
 namespace {
 
 constexpr std::array plane_cells{CellType::quad4, CellType::quad8, CellType::quad9,
@@ -200,4 +200,4 @@ TEST(BlockOnCylinderByMortar, ConvergesAtTheOrderOfItsCells) {
 }
 
 } // namespace
-} // namespace rubato::verification
+} // namespace rubato::verification::mortar_test

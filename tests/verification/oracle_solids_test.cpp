@@ -4,7 +4,7 @@
 
 #include "verification/oracle_solids.hpp"
 
-namespace rubato::verification {
+namespace rubato::verification::oracle_solids_test {
 namespace {
 
 /// Code_Aster's residual is 1e-9 of its forces there, 1e-10 of blocks and pressures.
@@ -21,4 +21,4 @@ TEST(Oracle, HasTheHistoriesOfBodiesThatYieldAndStretch) {
 }
 
 } // namespace
-} // namespace rubato::verification
+} // namespace rubato::verification::oracle_solids_test

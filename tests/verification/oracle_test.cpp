@@ -5,7 +5,7 @@
 #include "verification/oracle_heat.hpp"
 #include "verification/oracle_statics.hpp"
 
-namespace rubato::verification {
+namespace rubato::verification::oracle_test {
 namespace {
 
 /// Code_Aster's own residual is 1e-10 to 1e-12 of the forces.
@@ -36,4 +36,4 @@ TEST(Oracle, HasTheHistoriesOfAHeatedBeam) {
 }
 
 } // namespace
-} // namespace rubato::verification
+} // namespace rubato::verification::oracle_test

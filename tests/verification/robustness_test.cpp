@@ -4,7 +4,7 @@
 
 #include "verification/robustness.hpp"
 
-namespace rubato::verification {
+namespace rubato::verification::robustness_test {
 namespace {
 
 constexpr std::uint32_t seed = 140;
@@ -35,4 +35,4 @@ TEST(RandomBeams, FinishOrSayWhyNotAndTheirLedgersClose) {
 }
 
 } // namespace
-} // namespace rubato::verification
+} // namespace rubato::verification::robustness_test

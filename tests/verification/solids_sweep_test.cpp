@@ -5,7 +5,7 @@
 #include "verification/solids_sweep.hpp"
 #include <algorithm>
 
-namespace rubato::verification {
+namespace rubato::verification::solids_sweep_test {
 namespace {
 
 constexpr std::uint32_t seed = 2200;
@@ -51,4 +51,4 @@ TEST(RandomPlasticBeams, TakeAtMostTwoFactorisationsAStep) {
 }
 
 } // namespace
-} // namespace rubato::verification
+} // namespace rubato::verification::solids_sweep_test

@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace rubato::verification {
+namespace rubato::verification::static_cases_test {
 namespace {
 
 constexpr double closed = 1e-10;
@@ -84,4 +84,4 @@ TEST(BlockOnCylinder, ConvergesAtTheOrderOfItsCells) {
 }
 
 } // namespace
-} // namespace rubato::verification
+} // namespace rubato::verification::static_cases_test

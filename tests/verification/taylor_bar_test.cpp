@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rubato::verification {
+namespace rubato::verification::taylor_bar_test {
 namespace {
 
 /// It comes to rest: nearly all of ½ m v² has gone into plastic work, and every joule of it is found.
@@ -62,4 +62,4 @@ TEST(TaylorBar, LiftsItsEdgeOffASmoothWall) {
 }
 
 } // namespace
-} // namespace rubato::verification
+} // namespace rubato::verification::taylor_bar_test

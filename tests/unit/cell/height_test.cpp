@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace rubato::cell {
+namespace rubato::cell::height_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -50,4 +50,4 @@ TEST(LeastHeight, IsNegativeInsideOut) {
 }
 
 } // namespace
-} // namespace rubato::cell
+} // namespace rubato::cell::height_test

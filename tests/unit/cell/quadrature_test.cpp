@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::cell {
+namespace rubato::cell::quadrature_test {
 namespace {
 
 using Exponents = std::array<int, 3>;
@@ -173,4 +173,4 @@ TEST(QuadratureRules, RefuseWhatTheyCannotIntegrate) {
 }
 
 } // namespace
-} // namespace rubato::cell
+} // namespace rubato::cell::quadrature_test

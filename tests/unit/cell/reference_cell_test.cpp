@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::cell {
+namespace rubato::cell::reference_cell_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -182,4 +182,4 @@ TEST(ReferenceCells, RefuseTypesWithoutMechanics) {
 }
 
 } // namespace
-} // namespace rubato::cell
+} // namespace rubato::cell::reference_cell_test

@@ -9,7 +9,7 @@
 
 #include <set>
 
-namespace rubato::cell {
+namespace rubato::cell::topology_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -108,4 +108,4 @@ TEST(CellTypes, KnowTheirLinearQuadraticAndFullKin) {
 }
 
 } // namespace
-} // namespace rubato::cell
+} // namespace rubato::cell::topology_test

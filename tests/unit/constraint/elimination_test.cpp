@@ -8,7 +8,7 @@
 #include <array>
 #include <random>
 
-namespace rubato::constraint {
+namespace rubato::constraint::elimination_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -122,4 +122,4 @@ TEST(Elimination, TakesADofThatOccursTwiceInAnEquation) {
 }
 
 } // namespace
-} // namespace rubato::constraint
+} // namespace rubato::constraint::elimination_test

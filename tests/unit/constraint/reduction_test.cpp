@@ -9,7 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace rubato::constraint {
+namespace rubato::constraint::reduction_test {
 namespace {
 
 using Eigen::Index;
@@ -265,4 +265,4 @@ TEST(CarriedReduction, GivesRatesThatAreGiven) {
 }
 
 } // namespace
-} // namespace rubato::constraint
+} // namespace rubato::constraint::reduction_test

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace rubato::constraint {
+namespace rubato::constraint::rotation_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -153,4 +153,4 @@ TEST(Rotation, TellsAnAngleThatIsNoNumber) {
 }
 
 } // namespace
-} // namespace rubato::constraint
+} // namespace rubato::constraint::rotation_test

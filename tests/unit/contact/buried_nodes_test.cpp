@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-namespace rubato::contact {
+namespace rubato::contact::buried_nodes_test {
 namespace {
 
 /// A block whose bottom is the slave, of two faces, and below it one of half its width, of four: with its top
@@ -99,4 +99,4 @@ TEST(EdgesAroundNodes, AreTheShortest) {
 }
 
 } // namespace
-} // namespace rubato::contact
+} // namespace rubato::contact::buried_nodes_test

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <random>
 
-namespace rubato::contact {
+namespace rubato::contact::evaluation_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -236,4 +236,4 @@ INSTANTIATE_TEST_SUITE_P(Faces, ProjectionWantedInside,
                          [](const auto& face) { return std::string(cell::topology(face.param).name); });
 
 } // namespace
-} // namespace rubato::contact
+} // namespace rubato::contact::evaluation_test

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rubato::contact {
+namespace rubato::contact::explicit_penalty_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -251,4 +251,4 @@ TEST(PenaltyStiffness, MakesAPointVibrateWithAThirdOfTheBulksFrequency) {
 }
 
 } // namespace
-} // namespace rubato::contact
+} // namespace rubato::contact::explicit_penalty_test

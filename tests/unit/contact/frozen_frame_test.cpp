@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::contact {
+namespace rubato::contact::frozen_frame_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -136,4 +136,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& pairing) { return pairing.param.name; });
 
 } // namespace
-} // namespace rubato::contact
+} // namespace rubato::contact::frozen_frame_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rubato::contact {
+namespace rubato::contact::gap_offset_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -59,4 +59,4 @@ TEST(AGapOffset, RefusesInterferencesThatSetApart) {
 }
 
 } // namespace
-} // namespace rubato::contact
+} // namespace rubato::contact::gap_offset_test

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::contact {
+namespace rubato::contact::integration_test {
 namespace {
 
 constexpr std::array faces{CellType::seg2,  CellType::seg3,  CellType::tria3, CellType::tria6,
@@ -159,4 +159,4 @@ TEST(ContactRule, IsNoneOfSolids) {
 }
 
 } // namespace
-} // namespace rubato::contact
+} // namespace rubato::contact::integration_test

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace rubato::contact {
+namespace rubato::contact::kinematics_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -250,4 +250,4 @@ TEST_F(AboveALine, AQuarterTurnTakesTheFrameAlong) {
 }
 
 } // namespace
-} // namespace rubato::contact
+} // namespace rubato::contact::kinematics_test

@@ -13,7 +13,7 @@
 #include <string>
 #include <tuple>
 
-namespace rubato::contact {
+namespace rubato::contact::law_test {
 namespace {
 
 using study::ContactMethod;
@@ -326,4 +326,4 @@ TEST(PointVariables, KeepTheirOrder) {
 }
 
 } // namespace
-} // namespace rubato::contact
+} // namespace rubato::contact::law_test

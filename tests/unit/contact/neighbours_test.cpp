@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::contact {
+namespace rubato::contact::neighbours_test {
 namespace {
 
 /// The upper beam's face, the master, bends and slides along the lower one, which lifts and turns.
@@ -188,4 +188,4 @@ INSTANTIATE_TEST_SUITE_P(Rings, ARingPressedFlat,
                          [](const auto& ring) { return "Of" + std::to_string(ring.param.count) + "Faces"; });
 
 } // namespace
-} // namespace rubato::contact
+} // namespace rubato::contact::neighbours_test

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::contact {
+namespace rubato::contact::nodal_pressure_test {
 namespace {
 
 using test::two_faces;
@@ -93,4 +93,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& points) { return points.param.name; });
 
 } // namespace
-} // namespace rubato::contact
+} // namespace rubato::contact::nodal_pressure_test

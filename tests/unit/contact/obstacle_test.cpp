@@ -10,7 +10,7 @@
 #include "obstacles.hpp"
 #include <random>
 
-namespace rubato::contact {
+namespace rubato::contact::obstacle_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -244,4 +244,4 @@ INSTANTIATE_TEST_SUITE_P(A, SlaveBefore, testing::ValuesIn(test::every_obstacle(
                          [](const auto& chosen) { return chosen.param.name; });
 
 } // namespace
-} // namespace rubato::contact
+} // namespace rubato::contact::obstacle_test

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::contact {
+namespace rubato::contact::pairing_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -192,4 +192,4 @@ INSTANTIATE_TEST_SUITE_P(Faces, PairsOn, testing::Values("hexa8", "hexa20", "hex
                          [](const auto& cells) { return std::string(cells.param); });
 
 } // namespace
-} // namespace rubato::contact
+} // namespace rubato::contact::pairing_test

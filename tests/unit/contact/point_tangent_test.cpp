@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace rubato::contact {
+namespace rubato::contact::point_tangent_test {
 namespace {
 
 using Eigen::Index;
@@ -199,4 +199,4 @@ TEST(FactorsBeforeAnObstacle, HaveNoPlaceThatMoves) {
 }
 
 } // namespace
-} // namespace rubato::contact
+} // namespace rubato::contact::point_tangent_test

@@ -6,7 +6,7 @@
 
 #include "two_faces.hpp"
 
-namespace rubato {
+namespace rubato::projection_test {
 namespace {
 
 using contact::FaceCoordinates;
@@ -102,4 +102,4 @@ TEST(BoxClamp, RoundingCountsAsInside) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::projection_test

@@ -11,7 +11,7 @@
 #include <random>
 #include <vector>
 
-namespace rubato::contact {
+namespace rubato::contact::self_pairs_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -101,4 +101,4 @@ TEST(ARingPressedFlatAtAnAngle, HasOneHalfAsSlave) {
 }
 
 } // namespace
-} // namespace rubato::contact
+} // namespace rubato::contact::self_pairs_test

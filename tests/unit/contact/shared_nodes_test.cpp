@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::contact {
+namespace rubato::contact::shared_nodes_test {
 namespace {
 
 using Eigen::Vector2d;
@@ -102,4 +102,4 @@ TEST(PointsOfSharedNodes, AreNotToldOfInExplicitRuns) {
 }
 
 } // namespace
-} // namespace rubato::contact
+} // namespace rubato::contact::shared_nodes_test

@@ -12,7 +12,7 @@
 #include <tuple>
 #include <vector>
 
-namespace rubato::contact {
+namespace rubato::contact::sharp_edges_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -140,4 +140,4 @@ TEST(TheSmoothParts, OfALineEndAtItsSharpCorners) {
 }
 
 } // namespace
-} // namespace rubato::contact
+} // namespace rubato::contact::sharp_edges_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rubato::contact {
+namespace rubato::contact::spring_friction_test {
 namespace {
 
 using Eigen::Vector2d;
@@ -166,4 +166,4 @@ TEST(FollowingTheLimit, MakesFrictionGrowWithThePressureAsTheLimitDoes) {
 }
 
 } // namespace
-} // namespace rubato::contact
+} // namespace rubato::contact::spring_friction_test

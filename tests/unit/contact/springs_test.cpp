@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rubato::contact {
+namespace rubato::contact::springs_test {
 namespace {
 
 Zone zone_by(study::ContactMethod method) {
@@ -117,4 +117,4 @@ TEST(Springs, KeepTheirStiffnessWhateverTheStep) {
 }
 
 } // namespace
-} // namespace rubato::contact
+} // namespace rubato::contact::springs_test

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace rubato::contact {
+namespace rubato::contact::stencil_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -66,4 +66,4 @@ TEST(NumberedStencil, HasNoNodesWithoutWeight) {
 }
 
 } // namespace
-} // namespace rubato::contact
+} // namespace rubato::contact::stencil_test

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace rubato::contact {
+namespace rubato::contact::surface_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -79,4 +79,4 @@ TEST(TheValuesOfAFace, AreAskedForByPositionNotByNode) {
 }
 
 } // namespace
-} // namespace rubato::contact
+} // namespace rubato::contact::surface_test

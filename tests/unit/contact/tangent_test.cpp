@@ -7,7 +7,7 @@
 #include "contact_system.hpp"
 #include <tuple>
 
-namespace rubato {
+namespace rubato::tangent_test {
 namespace {
 
 using contact::Status;
@@ -196,4 +196,4 @@ INSTANTIATE_TEST_SUITE_P(Faces, ContactTangent, testing::ValuesIn(variants()),
                          [](const auto& variant) { return variant.param.name; });
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::tangent_test

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace rubato::contact {
+namespace rubato::contact::two_sides_test {
 namespace {
 
 /// Six faces of a fold: 0, 1, 2 meet 5, 4, 3; neighbours follow each other round the fold at 2, 3.
@@ -56,4 +56,4 @@ TEST(TheFartherSide, IsThatWithTheCentreFartherAlongTheAxisOfTheirDistance) {
 }
 
 } // namespace
-} // namespace rubato::contact
+} // namespace rubato::contact::two_sides_test

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::contact {
+namespace rubato::contact::zone_test {
 namespace {
 
 using deck::Setting;
@@ -207,4 +207,4 @@ TEST(ThePlaceAtTheStartOfAStep, IsTheSameToTheLastBitWhereverTheNodeHasGone) {
 }
 
 } // namespace
-} // namespace rubato::contact
+} // namespace rubato::contact::zone_test

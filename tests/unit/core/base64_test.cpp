@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace rubato {
+namespace rubato::base64_test {
 namespace {
 
 std::string coded(const std::string& text) {
@@ -41,4 +41,4 @@ TEST(Base64, MayBeBrokenIntoLinesAndRefusesOtherLetters) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::base64_test

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace rubato {
+namespace rubato::disjoint_sets_test {
 namespace {
 
 std::vector<std::size_t> roots(DisjointSets& sets, std::size_t items) {
@@ -81,4 +81,4 @@ TEST(AChainOfItems, HasItsFirstAsRoot) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::disjoint_sets_test

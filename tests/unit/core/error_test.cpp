@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rubato {
+namespace rubato::error_test {
 namespace {
 
 TEST(ALocation, IsToldAsFarAsItIsKnown) {
@@ -41,4 +41,4 @@ TEST(BadInput, MayBeOneSentence) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::error_test

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace rubato {
+namespace rubato::expression_test {
 namespace {
 
 constexpr std::array place{0.25, -2.0, 4.0};
@@ -241,4 +241,4 @@ TEST(AnExpression, MayBeNestedAsDeeplyAsItIsLong) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::expression_test

@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace rubato {
+namespace rubato::field_function_test {
 namespace {
 
 constexpr std::array place{0.5, 2.0, 0.0};
@@ -65,4 +65,4 @@ TEST(AFieldFunction, MayBeATableAlongAnAxis) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::field_function_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rubato::load {
+namespace rubato::load::function_test {
 namespace {
 
 using Outside = Function::Outside;
@@ -93,4 +93,4 @@ TEST(FunctionOfTime, RefusesAnEmptyOrLopsidedTable) {
 }
 
 } // namespace
-} // namespace rubato::load
+} // namespace rubato::load::function_test

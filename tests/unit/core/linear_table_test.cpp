@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rubato {
+namespace rubato::linear_table_test {
 namespace {
 
 using Outside = LinearTable::Outside;
@@ -45,4 +45,4 @@ TEST(LinearTable, IsIntegratedWhereZeroLiesOutside) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::linear_table_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rubato {
+namespace rubato::naming_test {
 namespace {
 
 const std::vector<std::string> keys{"step", "end", "instants", "scheme"};
@@ -55,4 +55,4 @@ TEST(AName, IsWhatFilesAndColumnsCanBeCalled) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::naming_test

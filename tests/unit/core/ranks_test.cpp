@@ -11,7 +11,7 @@
 #include <new>
 #include <stdexcept>
 
-namespace rubato {
+namespace rubato::ranks_test {
 namespace {
 
 TEST(Ranks, OneAloneNeedsNothing) {
@@ -85,4 +85,4 @@ TEST(Ranks, CountWhatTheySend) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::ranks_test

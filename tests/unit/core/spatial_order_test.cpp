@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <random>
 
-namespace rubato {
+namespace rubato::spatial_order_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -64,4 +64,4 @@ TEST(SpatialOrder, KeepsTheOrderOfPointsAtOnePlace) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::spatial_order_test

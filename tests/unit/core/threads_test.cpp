@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace rubato {
+namespace rubato::threads_test {
 namespace {
 
 TEST(Threads, AreOneByDefaultWhichIsTheCaller) {
@@ -94,4 +94,4 @@ TEST(Threads, AreAtLeastOne) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::threads_test

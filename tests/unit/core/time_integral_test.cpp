@@ -9,7 +9,7 @@
 #include <functional>
 #include <numbers>
 
-namespace rubato {
+namespace rubato::time_integral_test {
 namespace {
 
 using std::numbers::pi;
@@ -172,4 +172,4 @@ TEST(IntegratedField, TakesAnExpressionOfTimeInAndLeavesThatOfThePlace) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::time_integral_test

@@ -12,7 +12,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace rubato {
+namespace rubato::writing_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -97,4 +97,4 @@ TEST(CsvFile, TellsOfAFullDisk) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::writing_test

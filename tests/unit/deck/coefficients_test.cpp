@@ -5,7 +5,7 @@
 #include "sample_deck.hpp"
 #include <string>
 
-namespace rubato::deck {
+namespace rubato::deck::coefficients_test {
 namespace {
 
 using test::faults_of_zone;
@@ -32,4 +32,4 @@ TEST(ContactCoefficients, OfAnExponentialPressureAreItsTwoNumbersAndNoStiffness)
 }
 
 } // namespace
-} // namespace rubato::deck
+} // namespace rubato::deck::coefficients_test

@@ -4,7 +4,7 @@
 
 #include "sample_deck.hpp"
 
-namespace rubato::deck {
+namespace rubato::deck::comparison_test {
 namespace {
 
 using test::faults_of;
@@ -130,4 +130,4 @@ TEST(Comparison, OfAProbeNeedsTheSameOneInBothRuns) {
 }
 
 } // namespace
-} // namespace rubato::deck
+} // namespace rubato::deck::comparison_test

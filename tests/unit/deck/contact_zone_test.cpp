@@ -5,7 +5,7 @@
 #include "sample_deck.hpp"
 #include <string>
 
-namespace rubato::deck {
+namespace rubato::deck::contact_zone_test {
 namespace {
 
 using test::faults_of;
@@ -154,4 +154,4 @@ TEST(ContactZoneFaults, WhatHoldsPointsHasToGoTogether) {
 }
 
 } // namespace
-} // namespace rubato::deck
+} // namespace rubato::deck::contact_zone_test

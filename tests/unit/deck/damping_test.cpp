@@ -10,7 +10,7 @@
 #include "support/two_blocks.hpp"
 #include <string>
 
-namespace rubato::deck {
+namespace rubato::deck::damping_test {
 namespace {
 
 std::string damped(const std::string& damping) {
@@ -57,4 +57,4 @@ TEST(DampingOfADeck, IsRefusedWhereItMakesNoSense) {
 }
 
 } // namespace
-} // namespace rubato::deck
+} // namespace rubato::deck::damping_test

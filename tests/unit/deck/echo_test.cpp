@@ -6,7 +6,7 @@
 
 #include "sample_deck.hpp"
 
-namespace rubato::deck {
+namespace rubato::deck::echo_test {
 namespace {
 
 using test::full_deck;
@@ -174,4 +174,4 @@ TEST(Study, IsEqualWhateverPlaceItWasReadFrom) {
 }
 
 } // namespace
-} // namespace rubato::deck
+} // namespace rubato::deck::echo_test

@@ -8,7 +8,7 @@
 #include "sample_deck.hpp"
 #include <string>
 
-namespace rubato::deck {
+namespace rubato::deck::expression_test {
 namespace {
 
 using study::Field;
@@ -83,4 +83,4 @@ TEST(Expressions, AreNoNamesOfFunctions) {
 }
 
 } // namespace
-} // namespace rubato::deck
+} // namespace rubato::deck::expression_test

@@ -4,7 +4,7 @@
 
 #include "sample_deck.hpp"
 
-namespace rubato::deck {
+namespace rubato::deck::faults_test {
 namespace {
 
 using test::faults_of, test::faults_of_explicit, test::faults_of_zone;
@@ -496,4 +496,4 @@ TEST(DeckFaults, LongWordsAreCutAtACharacter) {
 }
 
 } // namespace
-} // namespace rubato::deck
+} // namespace rubato::deck::faults_test

@@ -7,7 +7,7 @@
 #include "support/faults.hpp"
 #include <string>
 
-namespace rubato::deck {
+namespace rubato::deck::finite_test {
 namespace {
 
 const std::string every_number = R"(mesh:
@@ -64,4 +64,4 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 } // namespace
-} // namespace rubato::deck
+} // namespace rubato::deck::finite_test

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace rubato::deck {
+namespace rubato::deck::functions_test {
 namespace {
 
 using test::faults_of;
@@ -306,4 +306,4 @@ TEST(BadTablesAlongAnAxis, AreToldAtTheirPlace) {
 }
 
 } // namespace
-} // namespace rubato::deck
+} // namespace rubato::deck::functions_test

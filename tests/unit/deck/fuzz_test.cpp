@@ -11,7 +11,7 @@
 #include <random>
 #include <sstream>
 
-namespace rubato::deck {
+namespace rubato::deck::fuzz_test {
 namespace {
 
 constexpr std::array tokens{"~",
@@ -269,4 +269,4 @@ TEST(DeckFuzz, MutatedDecksOfWhatHoldsAndDrivesAreReadOrRefusedWithASentence) {
 }
 
 } // namespace
-} // namespace rubato::deck
+} // namespace rubato::deck::fuzz_test

@@ -10,7 +10,7 @@
 #include "sample_deck.hpp"
 #include <stdexcept>
 
-namespace rubato::deck {
+namespace rubato::deck::grammar_test {
 namespace {
 
 using test::faults_of;
@@ -82,4 +82,4 @@ TEST(DeckSchema, LetsRunsRemoveWhateverTheDeckHas) {
 }
 
 } // namespace
-} // namespace rubato::deck
+} // namespace rubato::deck::grammar_test

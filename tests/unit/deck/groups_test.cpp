@@ -8,7 +8,7 @@
 #include "sample_deck.hpp"
 #include "support/faults.hpp"
 
-namespace rubato::deck {
+namespace rubato::deck::groups_test {
 namespace {
 
 using test::fault_of;
@@ -171,4 +171,4 @@ TEST(GroupsOfACommandLine, AreRefusedWithTheirName) {
 }
 
 } // namespace
-} // namespace rubato::deck
+} // namespace rubato::deck::groups_test

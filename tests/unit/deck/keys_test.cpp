@@ -7,7 +7,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace rubato::deck {
+namespace rubato::deck::keys_test {
 namespace {
 
 using test::full_deck;
@@ -476,4 +476,4 @@ TEST(DeckGuide, ShowsADeckThatIsRead) {
 }
 
 } // namespace
-} // namespace rubato::deck
+} // namespace rubato::deck::keys_test

@@ -6,7 +6,7 @@
 
 #include "sample_deck.hpp"
 
-namespace rubato::deck {
+namespace rubato::deck::laws_test {
 namespace {
 
 using study::Formulation;
@@ -454,4 +454,4 @@ TEST(ExplicitRuns, HaveNeitherTangentNorStepControl) {
 }
 
 } // namespace
-} // namespace rubato::deck
+} // namespace rubato::deck::laws_test

@@ -9,7 +9,7 @@
 #include <ostream>
 #include <string>
 
-namespace rubato::deck {
+namespace rubato::deck::motion_test {
 namespace {
 
 struct BadPart {
@@ -151,4 +151,4 @@ TEST(DeckMotion, MayBeARotation) {
 }
 
 } // namespace
-} // namespace rubato::deck
+} // namespace rubato::deck::motion_test

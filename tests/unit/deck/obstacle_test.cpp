@@ -7,7 +7,7 @@
 
 #include "sample_deck.hpp"
 
-namespace rubato::deck {
+namespace rubato::deck::obstacle_test {
 namespace {
 
 using test::faults_of;
@@ -232,4 +232,4 @@ TEST(Obstacles, OfARunToStartFromMayOnlyMoveDifferently) {
 }
 
 } // namespace
-} // namespace rubato::deck
+} // namespace rubato::deck::obstacle_test

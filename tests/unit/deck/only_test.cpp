@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::deck {
+namespace rubato::deck::only_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -105,4 +105,4 @@ TEST(OnlySomeRuns, MayBeHeldAgainstOneThatIsNotRead) {
 }
 
 } // namespace
-} // namespace rubato::deck
+} // namespace rubato::deck::only_test

@@ -4,7 +4,7 @@
 
 #include "sample_deck.hpp"
 
-namespace rubato::deck {
+namespace rubato::deck::overlay_test {
 namespace {
 
 using test::faults_of;
@@ -224,4 +224,4 @@ TEST(DeckSettings, AreSplitAtTheFirstEqualsSign) {
 }
 
 } // namespace
-} // namespace rubato::deck
+} // namespace rubato::deck::overlay_test

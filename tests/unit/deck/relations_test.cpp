@@ -8,7 +8,7 @@
 #include <ostream>
 #include <string>
 
-namespace rubato::deck {
+namespace rubato::deck::relations_test {
 namespace {
 
 struct BadPart {
@@ -83,4 +83,4 @@ TEST(Relations, WantImplicitSchemesAndBodiesThatMayTurn) {
 }
 
 } // namespace
-} // namespace rubato::deck
+} // namespace rubato::deck::relations_test

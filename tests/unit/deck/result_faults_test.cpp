@@ -4,7 +4,7 @@
 
 #include "unit/deck/sample_deck.hpp"
 
-namespace rubato::deck {
+namespace rubato::deck::result_faults_test {
 namespace {
 
 using test::faults_of;
@@ -70,4 +70,4 @@ TEST(FaultsOfFields, NameTheNearestField) {
 }
 
 } // namespace
-} // namespace rubato::deck
+} // namespace rubato::deck::result_faults_test

@@ -4,7 +4,7 @@
 
 #include "sample_deck.hpp"
 
-namespace rubato::deck {
+namespace rubato::deck::yaml_test {
 namespace {
 
 using test::faults_of;
@@ -137,4 +137,4 @@ TEST(DeckText, AliasesCannotGrowWithoutBound) {
 }
 
 } // namespace
-} // namespace rubato::deck
+} // namespace rubato::deck::yaml_test

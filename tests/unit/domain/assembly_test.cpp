@@ -11,7 +11,7 @@
 #include <array>
 #include <limits>
 
-namespace rubato::domain {
+namespace rubato::domain::assembly_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -245,4 +245,4 @@ TEST(NodalStress, AveragesOverTheCellsOfANode) {
 }
 
 } // namespace
-} // namespace rubato::domain
+} // namespace rubato::domain::assembly_test

@@ -9,7 +9,7 @@
 #include "support/patch_mesh.hpp"
 #include <cmath>
 
-namespace rubato::domain {
+namespace rubato::domain::domain_test {
 namespace {
 
 using Eigen::Index;
@@ -133,4 +133,4 @@ INSTANTIATE_TEST_SUITE_P(Cells, AnyDomain, testing::ValuesIn(test::every_bulk_ca
                          [](const auto& tested) { return test::name_of(tested.param); });
 
 } // namespace
-} // namespace rubato::domain
+} // namespace rubato::domain::domain_test

@@ -11,7 +11,7 @@
 #include <mutex>
 #include <numeric>
 
-namespace rubato::domain {
+namespace rubato::domain::rank_parts_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -129,4 +129,4 @@ TEST_P(Parts, OfOneCell) {
 INSTANTIATE_TEST_SUITE_P(Ranks, Parts, testing::Values(1, 2, 3, 7));
 
 } // namespace
-} // namespace rubato::domain
+} // namespace rubato::domain::rank_parts_test

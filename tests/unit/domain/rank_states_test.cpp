@@ -10,7 +10,7 @@
 #include <mutex>
 #include <numeric>
 
-namespace rubato::domain {
+namespace rubato::domain::rank_states_test {
 namespace {
 
 /// An elastic block between two that yield.
@@ -90,4 +90,4 @@ TEST(NumbersOfPoints, ComeBack) {
 }
 
 } // namespace
-} // namespace rubato::domain
+} // namespace rubato::domain::rank_states_test

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::domain {
+namespace rubato::domain::work_shares_test {
 namespace {
 
 /// A box of n³ cubes.
@@ -111,4 +111,4 @@ TEST(WorkShares, OfNoCellsDoNothing) {
 }
 
 } // namespace
-} // namespace rubato::domain
+} // namespace rubato::domain::work_shares_test

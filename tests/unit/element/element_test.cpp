@@ -9,7 +9,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace rubato::element {
+namespace rubato::element::element_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -238,4 +238,4 @@ TEST(QuadrangleFourNode, HasTheTextbookStiffnessOfASquare) {
 }
 
 } // namespace
-} // namespace rubato::element
+} // namespace rubato::element::element_test

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace rubato::element {
+namespace rubato::element::energy_momentum_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -350,4 +350,4 @@ TEST(EnergyMomentum, RefusesKindsThatAreNotOffered) {
 }
 
 } // namespace
-} // namespace rubato::element
+} // namespace rubato::element::energy_momentum_test

@@ -9,7 +9,7 @@
 #include "point_test_laws.hpp"
 #include <cmath>
 
-namespace rubato::element {
+namespace rubato::element::free_strain_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -185,4 +185,4 @@ TEST(FreeStrain, IsTakenFromTheStrainsOfOtherLaws) {
 }
 
 } // namespace
-} // namespace rubato::element
+} // namespace rubato::element::free_strain_test

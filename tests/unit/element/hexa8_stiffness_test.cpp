@@ -9,7 +9,7 @@
 #include <cmath>
 #include <random>
 
-namespace rubato::element {
+namespace rubato::element::hexa8_stiffness_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -153,4 +153,4 @@ TEST(Hexa8Stiffness, OfAFlatCellIsNotFinite) {
 }
 
 } // namespace
-} // namespace rubato::element
+} // namespace rubato::element::hexa8_stiffness_test

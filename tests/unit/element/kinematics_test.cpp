@@ -7,7 +7,7 @@
 #include "point_test_laws.hpp"
 #include <cmath>
 
-namespace rubato::element {
+namespace rubato::element::kinematics_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -103,4 +103,4 @@ TEST(Logarithm, HasDerivativesWhereNumbersAreEqual) {
 }
 
 } // namespace
-} // namespace rubato::element
+} // namespace rubato::element::kinematics_test

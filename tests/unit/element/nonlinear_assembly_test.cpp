@@ -16,7 +16,7 @@
 #include <random>
 #include <vector>
 
-namespace rubato::element {
+namespace rubato::element::nonlinear_assembly_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -357,4 +357,4 @@ TEST(NonlinearAssembly, BendsTheElastica) {
 }
 
 } // namespace
-} // namespace rubato::element
+} // namespace rubato::element::nonlinear_assembly_test

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace rubato::element {
+namespace rubato::element::nonlinear_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -312,4 +312,4 @@ TEST(NonlinearCells, RefuseKindsThatAreNotOffered) {
 }
 
 } // namespace
-} // namespace rubato::element
+} // namespace rubato::element::nonlinear_test

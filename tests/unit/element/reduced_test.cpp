@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rubato::element {
+namespace rubato::element::reduced_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -166,4 +166,4 @@ TEST(ReducedCells, ResistWithAConstantStressBeyondTheLimit) {
 }
 
 } // namespace
-} // namespace rubato::element
+} // namespace rubato::element::reduced_test

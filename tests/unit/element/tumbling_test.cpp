@@ -11,7 +11,7 @@
 #include "kind_cases.hpp"
 #include <vector>
 
-namespace rubato::element {
+namespace rubato::element::tumbling_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -257,4 +257,4 @@ TEST(TumblingBlock, LosesThemByTheTrapezoidalRule) {
 }
 
 } // namespace
-} // namespace rubato::element
+} // namespace rubato::element::tumbling_test

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rubato {
+namespace rubato::answers_test {
 namespace {
 
 using test::computed;
@@ -132,4 +132,4 @@ TEST(ModesOfFiles, AreThoseOfABarOfFourElements) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::answers_test

@@ -9,7 +9,7 @@
 #include "support/faults.hpp"
 #include <vector>
 
-namespace rubato {
+namespace rubato::bad_input_test {
 namespace {
 
 using test::fault_of;
@@ -203,4 +203,4 @@ TEST(BadInp, FaultsOfAllPartsAreToldTogether) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::bad_input_test

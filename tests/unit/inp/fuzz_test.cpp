@@ -15,7 +15,7 @@
 #include <random>
 #include <string_view>
 
-namespace rubato {
+namespace rubato::fuzz_test {
 namespace {
 
 int mutation_count(int by_default) {
@@ -139,4 +139,4 @@ TEST(MutatedInp, EndsInSoundStudiesOrInSentences) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::fuzz_test

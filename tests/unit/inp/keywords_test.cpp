@@ -8,7 +8,7 @@
 #include <iterator>
 #include <set>
 
-namespace rubato::mesh::inp {
+namespace rubato::mesh::inp::keywords_test {
 namespace {
 
 TEST(InpKeywords, AreEachInTheTableOnce) {
@@ -70,4 +70,4 @@ TEST(InpBlocks, KnowWhereTheirWordsStand) {
 }
 
 } // namespace
-} // namespace rubato::mesh::inp
+} // namespace rubato::mesh::inp::keywords_test

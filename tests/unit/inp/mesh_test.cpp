@@ -16,7 +16,7 @@
 #include <map>
 #include <set>
 
-namespace rubato::mesh {
+namespace rubato::mesh::mesh_test {
 namespace {
 
 using test::all_inp_files;
@@ -166,4 +166,4 @@ TEST(InpMesh, IsReadByItsFirstBytesToo) {
 }
 
 } // namespace
-} // namespace rubato::mesh
+} // namespace rubato::mesh::mesh_test

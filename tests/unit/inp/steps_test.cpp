@@ -8,7 +8,7 @@
 #include "small_files.hpp"
 #include <algorithm>
 
-namespace rubato {
+namespace rubato::steps_test {
 namespace {
 
 using test::with_step;
@@ -157,4 +157,4 @@ TEST(AmplitudesOfSteps, HaveTheirForms) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::steps_test

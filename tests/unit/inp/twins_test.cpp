@@ -10,7 +10,7 @@
 #include "computed.hpp"
 #include "support/decks.hpp"
 
-namespace rubato {
+namespace rubato::twins_test {
 namespace {
 
 using test::Computed;
@@ -207,4 +207,4 @@ TEST(TwinsOfDecks, EchoesAreDecksOfTheSameStudies) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::twins_test

@@ -19,7 +19,7 @@ void dgemm_(const char* transpose_a, const char* transpose_b, const int* rows, c
             const int* stride_b, const double* beta, double* c, const int* stride_c);
 }
 
-namespace rubato::linalg {
+namespace rubato::linalg::blas_threads_test {
 namespace {
 
 class BlasThreads : public testing::Test {
@@ -105,4 +105,4 @@ TEST_F(BlasThreads, AreNotAddedToByAFactorisationInAnyThread) {
 }
 
 } // namespace
-} // namespace rubato::linalg
+} // namespace rubato::linalg::blas_threads_test

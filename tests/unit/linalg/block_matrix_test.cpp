@@ -9,7 +9,7 @@
 #include <random>
 #include <stdexcept>
 
-namespace rubato::linalg {
+namespace rubato::linalg::block_matrix_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -127,4 +127,4 @@ TEST(LargestEigenvalue, LeavesHeldUnknownsOut) {
 }
 
 } // namespace
-} // namespace rubato::linalg
+} // namespace rubato::linalg::block_matrix_test

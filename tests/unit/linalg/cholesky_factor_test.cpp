@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace rubato::linalg {
+namespace rubato::linalg::cholesky_factor_test {
 namespace {
 
 Eigen::MatrixXd random_matrix(Eigen::Index rows, Eigen::Index columns, unsigned seed) {
@@ -180,4 +180,4 @@ TEST(CholeskyFactor, TellsTheBytesOfItsFactor) {
 }
 
 } // namespace
-} // namespace rubato::linalg
+} // namespace rubato::linalg::cholesky_factor_test

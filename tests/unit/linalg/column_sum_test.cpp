@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <gtest/gtest.h>
 
-namespace rubato::linalg {
+namespace rubato::linalg::column_sum_test {
 namespace {
 
 using Eigen::Index;
@@ -36,4 +36,4 @@ TEST_P(ColumnSumOf, IsTheProductWithTheirFactors) {
 INSTANTIATE_TEST_SUITE_P(Columns, ColumnSumOf, testing::Range(0, 10));
 
 } // namespace
-} // namespace rubato::linalg
+} // namespace rubato::linalg::column_sum_test

@@ -9,7 +9,7 @@
 #include <random>
 #include <stdexcept>
 
-namespace rubato::linalg {
+namespace rubato::linalg::dense_cholesky_test {
 namespace {
 
 Eigen::MatrixXd random_matrix(Eigen::Index rows, Eigen::Index columns) {
@@ -78,4 +78,4 @@ TEST(IndependentRows, AreAsManyAsTheRank) {
 }
 
 } // namespace
-} // namespace rubato::linalg
+} // namespace rubato::linalg::dense_cholesky_test

@@ -7,7 +7,7 @@
 #include <random>
 #include <stdexcept>
 
-namespace rubato::linalg {
+namespace rubato::linalg::dense_lu_test {
 namespace {
 
 Eigen::MatrixXd random_matrix(Eigen::Index rows, Eigen::Index columns) {
@@ -60,4 +60,4 @@ TEST(DenseLu, ThrowsForSizesThatDoNotMatch) {
 }
 
 } // namespace
-} // namespace rubato::linalg
+} // namespace rubato::linalg::dense_lu_test

@@ -9,7 +9,7 @@
 #include <random>
 #include <stdexcept>
 
-namespace rubato::linalg {
+namespace rubato::linalg::eigen_modes_test {
 namespace {
 
 using Eigen::Index;
@@ -189,4 +189,4 @@ TEST(ConstrainedInverse, SolvesASystemWithItsConstraints) {
 }
 
 } // namespace
-} // namespace rubato::linalg
+} // namespace rubato::linalg::eigen_modes_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace rubato::linalg {
+namespace rubato::linalg::equilibration_test {
 namespace {
 
 SparseMatrix sparse(const Eigen::MatrixXd& matrix) {
@@ -76,4 +76,4 @@ TEST(Equilibration, BringsDenseRowsAndColumnsToOne) {
 }
 
 } // namespace
-} // namespace rubato::linalg
+} // namespace rubato::linalg::equilibration_test

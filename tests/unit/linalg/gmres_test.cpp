@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-namespace rubato::linalg {
+namespace rubato::linalg::gmres_test {
 namespace {
 
 using Eigen::Index;
@@ -59,4 +59,4 @@ TEST(Gmres, GivesNothingThatIsNotFinite) {
 }
 
 } // namespace
-} // namespace rubato::linalg
+} // namespace rubato::linalg::gmres_test

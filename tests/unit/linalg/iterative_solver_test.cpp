@@ -14,7 +14,7 @@
 #include <numeric>
 #include <stdexcept>
 
-namespace rubato::linalg {
+namespace rubato::linalg::iterative_solver_test {
 namespace {
 
 using Eigen::Index;
@@ -209,4 +209,4 @@ TEST_F(IterativeSolverTest, WantsADofOfEveryUnknown) {
 }
 
 } // namespace
-} // namespace rubato::linalg
+} // namespace rubato::linalg::iterative_solver_test

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace rubato::linalg {
+namespace rubato::linalg::lu_factor_test {
 
 /// What GoogleTest calls an engine.
 static void PrintTo(GeneralEngine engine, std::ostream* out) {
@@ -196,4 +196,4 @@ TEST(LuFactor, EnginesAgree) {
 }
 
 } // namespace
-} // namespace rubato::linalg
+} // namespace rubato::linalg::lu_factor_test

@@ -9,7 +9,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-namespace rubato::linalg {
+namespace rubato::linalg::memory_test {
 namespace {
 
 constexpr std::size_t mebibyte = 1 << 20;
@@ -115,4 +115,4 @@ TEST(FreeMemory, DoesNotKnowTheLimitOfThisProcess) {
 }
 
 } // namespace
-} // namespace rubato::linalg
+} // namespace rubato::linalg::memory_test

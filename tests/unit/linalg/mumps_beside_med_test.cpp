@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::linalg {
+namespace rubato::linalg::mumps_beside_med_test {
 namespace {
 
 void expect_mumps_solves() {
@@ -73,4 +73,4 @@ TEST(MumpsBesideMed, ExportsNoStubOfMpiFromTheProgram) {
 }
 
 } // namespace
-} // namespace rubato::linalg
+} // namespace rubato::linalg::mumps_beside_med_test

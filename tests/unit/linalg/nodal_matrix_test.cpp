@@ -7,7 +7,7 @@
 #include <random>
 #include <stdexcept>
 
-namespace rubato::linalg {
+namespace rubato::linalg::nodal_matrix_test {
 namespace {
 
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
@@ -39,4 +39,4 @@ TEST(NodalMatrix, RefusesSizesThatDoNotMatch) {
 }
 
 } // namespace
-} // namespace rubato::linalg
+} // namespace rubato::linalg::nodal_matrix_test

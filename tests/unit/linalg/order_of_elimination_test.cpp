@@ -10,7 +10,7 @@
 #include <numeric>
 #include <vector>
 
-namespace rubato::linalg {
+namespace rubato::linalg::order_of_elimination_test {
 namespace {
 
 /// Columns that follow one another, of about as many to each rank.
@@ -84,4 +84,4 @@ TEST(OrderOfElimination, OfASurfaceAloneIsThatOfTheSurface) {
 }
 
 } // namespace
-} // namespace rubato::linalg
+} // namespace rubato::linalg::order_of_elimination_test

@@ -13,7 +13,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace rubato::linalg {
+namespace rubato::linalg::ranked_factor_test {
 namespace {
 
 using Eigen::Index;
@@ -129,4 +129,4 @@ TEST_F(RankedFactorOfBlocks, NeedsNoSurface) {
 }
 
 } // namespace
-} // namespace rubato::linalg
+} // namespace rubato::linalg::ranked_factor_test

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <functional>
 
-namespace rubato::linalg {
+namespace rubato::linalg::ranked_matrix_test {
 namespace {
 
 using Eigen::Index;
@@ -116,4 +116,4 @@ TEST(WholeMatrix, IsSummedOnce) {
 }
 
 } // namespace
-} // namespace rubato::linalg
+} // namespace rubato::linalg::ranked_matrix_test

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace rubato::linalg {
+namespace rubato::linalg::refactor_test {
 namespace {
 
 using Eigen::Index;
@@ -293,4 +293,4 @@ TEST(CostOfAFactor, IsThatOfItsOrderOfElimination) {
 }
 
 } // namespace
-} // namespace rubato::linalg
+} // namespace rubato::linalg::refactor_test

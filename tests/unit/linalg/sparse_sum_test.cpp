@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace rubato::linalg {
+namespace rubato::linalg::sparse_sum_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -32,4 +32,4 @@ TEST(SumsOfSparseMatrices, AreThoseOfDenseOnesWhereverTheEntriesAre) {
 }
 
 } // namespace
-} // namespace rubato::linalg
+} // namespace rubato::linalg::sparse_sum_test

@@ -10,7 +10,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace rubato::linalg {
+namespace rubato::linalg::split_factor_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -153,4 +153,4 @@ TEST(SplitFactor, RefusesSizesThatDoNotMatch) {
 }
 
 } // namespace
-} // namespace rubato::linalg
+} // namespace rubato::linalg::split_factor_test

@@ -13,7 +13,7 @@
 #include <numeric>
 #include <random>
 
-namespace rubato::linalg {
+namespace rubato::linalg::surface_in_factor_test {
 namespace {
 
 using Eigen::Index;
@@ -265,4 +265,4 @@ TEST(SplitFactor, EliminatesTheSurfaceOfAThickBodyLast) {
 }
 
 } // namespace
-} // namespace rubato::linalg
+} // namespace rubato::linalg::surface_in_factor_test

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace rubato::linalg {
+namespace rubato::linalg::symmetric_factor_test {
 namespace {
 
 using Eigen::Index;
@@ -216,4 +216,4 @@ TEST(SymmetricFactor, PrintsNothing) {
 }
 
 } // namespace
-} // namespace rubato::linalg
+} // namespace rubato::linalg::symmetric_factor_test

@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace rubato::linalg {
+namespace rubato::linalg::symmetric_product_test {
 namespace {
 
 using Eigen::Index;
@@ -45,4 +45,4 @@ TEST(SymmetricProduct, RefusesAMatrixThatIsNotSquare) {
 }
 
 } // namespace
-} // namespace rubato::linalg
+} // namespace rubato::linalg::symmetric_product_test

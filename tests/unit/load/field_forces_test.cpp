@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-namespace rubato::load {
+namespace rubato::load::field_forces_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -63,4 +63,4 @@ INSTANTIATE_TEST_SUITE_P(Cells, EveryBodyUnderAField, testing::ValuesIn(test::ev
                          [](const auto& instance) { return test::name_of(instance.param); });
 
 } // namespace
-} // namespace rubato::load
+} // namespace rubato::load::field_forces_test

@@ -10,7 +10,7 @@
 #include <random>
 #include <stdexcept>
 
-namespace rubato::load {
+namespace rubato::load::follower_pressure_test {
 namespace {
 
 using Eigen::Index;
@@ -225,4 +225,4 @@ TEST(FollowerPressure, ActsOnSidesOnly) {
 }
 
 } // namespace
-} // namespace rubato::load
+} // namespace rubato::load::follower_pressure_test

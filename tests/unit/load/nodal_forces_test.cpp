@@ -8,7 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace rubato::load {
+namespace rubato::load::nodal_forces_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -148,4 +148,4 @@ TEST_F(OneBox, RefusesSidesOfAnotherDimension) {
 }
 
 } // namespace
-} // namespace rubato::load
+} // namespace rubato::load::nodal_forces_test

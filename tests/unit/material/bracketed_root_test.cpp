@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rubato::material {
+namespace rubato::material::bracketed_root_test {
 namespace {
 
 TEST(BracketedRoot, FindsWhereNewtonsMethodAloneWouldNot) {
@@ -34,4 +34,4 @@ TEST(BracketedRoot, SaysThatThereIsNone) {
 }
 
 } // namespace
-} // namespace rubato::material
+} // namespace rubato::material::bracketed_root_test

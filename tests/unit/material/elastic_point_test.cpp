@@ -5,7 +5,7 @@
 
 #include "support/point_path.hpp"
 
-namespace rubato::material {
+namespace rubato::material::elastic_point_test {
 namespace {
 
 using test::PointPath;
@@ -30,4 +30,4 @@ TEST(ElasticPoint, HasTheStiffnessOfAnOrthotropicLaw) {
 }
 
 } // namespace
-} // namespace rubato::material
+} // namespace rubato::material::elastic_point_test

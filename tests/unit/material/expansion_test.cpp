@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace rubato::material {
+namespace rubato::material::expansion_test {
 namespace {
 
 using study::Physics;
@@ -106,4 +106,4 @@ TEST(Expansion, IsThatOfAMetalHeldAlongZ) {
 }
 
 } // namespace
-} // namespace rubato::material
+} // namespace rubato::material::expansion_test

@@ -5,7 +5,7 @@
 
 #include "support/point_path.hpp"
 
-namespace rubato::material {
+namespace rubato::material::johnson_cook_test {
 namespace {
 
 using test::PointPath;
@@ -87,4 +87,4 @@ TEST(JohnsonCook, RandomStepsStayFinite) {
 }
 
 } // namespace
-} // namespace rubato::material
+} // namespace rubato::material::johnson_cook_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rubato::material {
+namespace rubato::material::law_field_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -117,4 +117,4 @@ TEST(ALawField, RefusesWhatIsNoMaterialAtAPlace) {
 }
 
 } // namespace
-} // namespace rubato::material
+} // namespace rubato::material::law_field_test

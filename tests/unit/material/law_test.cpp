@@ -6,7 +6,7 @@
 
 #include <random>
 
-namespace rubato::material {
+namespace rubato::material::law_test {
 namespace {
 
 using study::Physics;
@@ -97,4 +97,4 @@ TEST(VonMises, IsTheStressOfABarTheRootOfThreeOfShearAndNothingOfPressure) {
 }
 
 } // namespace
-} // namespace rubato::material
+} // namespace rubato::material::law_test

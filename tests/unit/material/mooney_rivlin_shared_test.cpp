@@ -9,7 +9,7 @@
 #include "support/point_path.hpp"
 #include "support/shared_files.hpp"
 
-namespace rubato::material {
+namespace rubato::material::mooney_rivlin_shared_test {
 namespace {
 
 /// A unit cube pressed by 0.3 in ten steps; columns: t, reaction on the top, then displacements, the side's
@@ -29,4 +29,4 @@ TEST(MooneyRivlin, FollowsCodeAster) {
 }
 
 } // namespace
-} // namespace rubato::material
+} // namespace rubato::material::mooney_rivlin_shared_test

@@ -6,7 +6,7 @@
 
 #include "support/point_path.hpp"
 
-namespace rubato::material {
+namespace rubato::material::mooney_rivlin_test {
 namespace {
 
 using test::PointPath;
@@ -84,4 +84,4 @@ TEST(MooneyRivlin, RefusesStrainsThatNoBodyHas) {
 }
 
 } // namespace
-} // namespace rubato::material
+} // namespace rubato::material::mooney_rivlin_test

@@ -7,7 +7,7 @@
 
 #include "support/point_path.hpp"
 
-namespace rubato::material {
+namespace rubato::material::ogden_test {
 namespace {
 
 using test::PointPath;
@@ -77,4 +77,4 @@ TEST(Ogden, RefusesStrainsThatNoBodyHas) {
 }
 
 } // namespace
-} // namespace rubato::material
+} // namespace rubato::material::ogden_test

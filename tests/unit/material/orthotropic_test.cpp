@@ -10,7 +10,7 @@
 #include <numbers>
 #include <random>
 
-namespace rubato::material {
+namespace rubato::material::orthotropic_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -194,4 +194,4 @@ TEST(OrthotropicElasticity, OfARingHasItsThirdAxisAlongTheHoop) {
 }
 
 } // namespace
-} // namespace rubato::material
+} // namespace rubato::material::orthotropic_test

@@ -5,7 +5,7 @@
 
 #include "support/point_path.hpp"
 
-namespace rubato::material {
+namespace rubato::material::plane_stress_test {
 namespace {
 
 using test::PointPath;
@@ -112,4 +112,4 @@ TEST(PlaneStress, FailsWhereTheLawDoes) {
 }
 
 } // namespace
-} // namespace rubato::material
+} // namespace rubato::material::plane_stress_test

@@ -10,7 +10,7 @@
 #include "support/shared_files.hpp"
 #include <string>
 
-namespace rubato::material {
+namespace rubato::material::plastic_shared_test {
 namespace {
 
 using test::PointPath;
@@ -97,4 +97,4 @@ INSTANTIATE_TEST_SUITE_P(Each, PlasticPoints, testing::ValuesIn(points()),
                          [](const auto& given) { return given.param.name; });
 
 } // namespace
-} // namespace rubato::material
+} // namespace rubato::material::plastic_shared_test

@@ -6,7 +6,7 @@
 
 #include "support/point_path.hpp"
 
-namespace rubato::material {
+namespace rubato::material::plastic_test {
 namespace {
 
 using test::PointPath;
@@ -144,4 +144,4 @@ TEST(Plastic, SaysHowMuchOfABackStressAStepRecalls) {
 }
 
 } // namespace
-} // namespace rubato::material
+} // namespace rubato::material::plastic_test

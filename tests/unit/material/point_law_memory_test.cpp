@@ -26,7 +26,7 @@ void operator delete(void* memory, std::size_t) noexcept {
   std::free(memory);
 }
 
-namespace rubato::material {
+namespace rubato::material::point_law_memory_test {
 namespace {
 
 TEST(PointLaw, AllocatesNothing) {
@@ -54,4 +54,4 @@ TEST(PointLaw, AllocatesNothing) {
 }
 
 } // namespace
-} // namespace rubato::material
+} // namespace rubato::material::point_law_memory_test

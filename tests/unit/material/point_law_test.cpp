@@ -8,7 +8,7 @@
 #include "support/point_path.hpp"
 #include <string>
 
-namespace rubato::material {
+namespace rubato::material::point_law_test {
 namespace {
 
 using test::PointPath;
@@ -171,4 +171,4 @@ TEST(PointLaw, KnowsWhichLawsDependOnTheRateAndHaveSymmetricTangents) {
 }
 
 } // namespace
-} // namespace rubato::material
+} // namespace rubato::material::point_law_test

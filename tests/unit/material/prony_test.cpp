@@ -5,7 +5,7 @@
 
 #include "support/point_path.hpp"
 
-namespace rubato::material {
+namespace rubato::material::prony_test {
 namespace {
 
 using test::PointPath;
@@ -59,4 +59,4 @@ TEST(Prony, WithoutTermsIsElastic) {
 }
 
 } // namespace
-} // namespace rubato::material
+} // namespace rubato::material::prony_test

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace rubato::material {
+namespace rubato::material::table_hardening_test {
 namespace {
 
 const TableHardening table{{{0, 200}, {0.01, 260}, {0.03, 300}}};
@@ -35,4 +35,4 @@ TEST(TableHardening, OfATensionCurveTakesTheElasticStrainAway) {
 }
 
 } // namespace
-} // namespace rubato::material
+} // namespace rubato::material::table_hardening_test

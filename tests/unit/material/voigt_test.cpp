@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace rubato::material {
+namespace rubato::material::voigt_test {
 namespace {
 
 using study::Physics;
@@ -61,4 +61,4 @@ TEST(VonMisesStress, IsTheSameInEveryFrame) {
 }
 
 } // namespace
-} // namespace rubato::material
+} // namespace rubato::material::voigt_test

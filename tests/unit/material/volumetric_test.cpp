@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace rubato::material {
+namespace rubato::material::volumetric_test {
 namespace {
 
 TEST(Volumetric, HasTheDerivativesOfItsEnergyByTheLogarithmOfTheVolume) {
@@ -43,4 +43,4 @@ TEST(Volumetric, TheBulkModulusIsThatOfElasticity) {
 }
 
 } // namespace
-} // namespace rubato::material
+} // namespace rubato::material::volumetric_test

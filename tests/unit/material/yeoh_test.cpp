@@ -5,7 +5,7 @@
 
 #include "support/point_path.hpp"
 
-namespace rubato::material {
+namespace rubato::material::yeoh_test {
 namespace {
 
 using test::PointPath;
@@ -44,4 +44,4 @@ TEST(Yeoh, StiffensInTensionAsItsClosedForm) {
 }
 
 } // namespace
-} // namespace rubato::material
+} // namespace rubato::material::yeoh_test

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace rubato::mesh {
+namespace rubato::mesh::builder_test {
 namespace {
 
 using Numbers = std::vector<std::int64_t>;
@@ -104,4 +104,4 @@ TEST(MeshBuilder, GoesOnWithTheNodesOfAMesh) {
 }
 
 } // namespace
-} // namespace rubato::mesh
+} // namespace rubato::mesh::builder_test

@@ -9,7 +9,7 @@
 
 #include "bodies.hpp"
 
-namespace rubato::mesh {
+namespace rubato::mesh::convert_test {
 namespace {
 
 using namespace test;
@@ -173,4 +173,4 @@ TEST(Conversion, DoesWhatTheDeckAsks) {
 }
 
 } // namespace
-} // namespace rubato::mesh
+} // namespace rubato::mesh::convert_test

@@ -7,7 +7,7 @@
 
 #include "bodies.hpp"
 
-namespace rubato::mesh {
+namespace rubato::mesh::generate_test {
 namespace {
 
 using namespace test;
@@ -206,4 +206,4 @@ TEST(Generate, RefusesNothingToMeshBadRefinementMixedDimensionsAndMeshesTooLarge
 }
 
 } // namespace
-} // namespace rubato::mesh
+} // namespace rubato::mesh::generate_test

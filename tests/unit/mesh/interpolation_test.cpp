@@ -9,7 +9,7 @@
 #include <random>
 #include <stdexcept>
 
-namespace rubato::mesh {
+namespace rubato::mesh::interpolation_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -95,4 +95,4 @@ TEST(Position, IsRefusedInEighteenNodePrisms) {
 }
 
 } // namespace
-} // namespace rubato::mesh
+} // namespace rubato::mesh::interpolation_test

@@ -11,7 +11,7 @@
 #include "bodies.hpp"
 #include "support/faults.hpp"
 
-namespace rubato::mesh {
+namespace rubato::mesh::made_groups_test {
 namespace {
 
 using namespace test;
@@ -316,4 +316,4 @@ TEST(FacesByTheirNormal, AreRefusedWhereTheyBoundNoBody) {
 }
 
 } // namespace
-} // namespace rubato::mesh
+} // namespace rubato::mesh::made_groups_test

@@ -8,7 +8,7 @@
 
 #include "bodies.hpp"
 
-namespace rubato::mesh {
+namespace rubato::mesh::names_test {
 namespace {
 
 using Nodes = std::vector<NodeIndex>;
@@ -133,4 +133,4 @@ TEST(NodeNames, StayWithTheirNodesWhenAMeshIsConvertedOrRefined) {
 }
 
 } // namespace
-} // namespace rubato::mesh
+} // namespace rubato::mesh::names_test

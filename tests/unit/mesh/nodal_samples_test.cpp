@@ -13,7 +13,7 @@
 #include <limits>
 #include <random>
 
-namespace rubato::mesh {
+namespace rubato::mesh::nodal_samples_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -127,4 +127,4 @@ TEST_F(FieldsOnSquares, AreRefusedWhereNodesAtOnePlaceDiffer) {
 }
 
 } // namespace
-} // namespace rubato::mesh
+} // namespace rubato::mesh::nodal_samples_test

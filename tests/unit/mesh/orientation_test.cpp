@@ -10,7 +10,7 @@
 #include "bodies.hpp"
 #include <random>
 
-namespace rubato::mesh {
+namespace rubato::mesh::orientation_test {
 namespace {
 
 using namespace test;
@@ -134,4 +134,4 @@ TEST(MendOrientation, MakesPlaneCellsCounterClockwise) {
 }
 
 } // namespace
-} // namespace rubato::mesh
+} // namespace rubato::mesh::orientation_test

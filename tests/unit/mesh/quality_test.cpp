@@ -7,7 +7,7 @@
 
 #include "bodies.hpp"
 
-namespace rubato::mesh {
+namespace rubato::mesh::quality_test {
 namespace {
 
 using namespace test;
@@ -229,4 +229,4 @@ TEST(Findings, ShowOnlyTheFirstFewNumbers) {
 }
 
 } // namespace
-} // namespace rubato::mesh
+} // namespace rubato::mesh::quality_test

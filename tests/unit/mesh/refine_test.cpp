@@ -8,7 +8,7 @@
 
 #include "bodies.hpp"
 
-namespace rubato::mesh {
+namespace rubato::mesh::refine_test {
 namespace {
 
 using namespace test;
@@ -135,4 +135,4 @@ TEST(Refine, RefusesOtherThanPowersOfTwoPyramidsAndMeshesTooLarge) {
 }
 
 } // namespace
-} // namespace rubato::mesh
+} // namespace rubato::mesh::refine_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace rubato::mesh {
+namespace rubato::mesh::rounding_test {
 namespace {
 
 /// A plane body as meshers write it: three coordinates, z constant but for noise.
@@ -61,4 +61,4 @@ TEST(Axis, TakesNodesThatAreOffItByRoundingAlone) {
 }
 
 } // namespace
-} // namespace rubato::mesh
+} // namespace rubato::mesh::rounding_test

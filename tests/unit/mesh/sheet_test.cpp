@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-namespace rubato::mesh {
+namespace rubato::mesh::sheet_test {
 namespace {
 
 using Faces = std::vector<CellIndex>;
@@ -102,4 +102,4 @@ TEST(Sheet, TurnedLooksToTheOtherSide) {
 }
 
 } // namespace
-} // namespace rubato::mesh
+} // namespace rubato::mesh::sheet_test

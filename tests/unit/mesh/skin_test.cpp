@@ -6,7 +6,7 @@
 
 #include "bodies.hpp"
 
-namespace rubato::mesh {
+namespace rubato::mesh::skin_test {
 namespace {
 
 using namespace test;
@@ -129,4 +129,4 @@ TEST(OrientedFaces, TakeTheOwnersNodesWhenTheFaceCellIsLinear) {
 }
 
 } // namespace
-} // namespace rubato::mesh
+} // namespace rubato::mesh::skin_test

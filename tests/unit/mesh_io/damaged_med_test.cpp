@@ -12,7 +12,7 @@
 #include <iterator>
 #include <random>
 
-namespace rubato::mesh {
+namespace rubato::mesh::damaged_med_test {
 namespace {
 
 using test::ScratchFolder;
@@ -95,4 +95,4 @@ TEST(DamagedMedFile, NeverCrashesNorPrintsNorLeaksWhereverBytesAreWrong) {
 }
 
 } // namespace
-} // namespace rubato::mesh
+} // namespace rubato::mesh::damaged_med_test

@@ -20,7 +20,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-namespace rubato::mesh {
+namespace rubato::mesh::fuzz_test {
 namespace {
 
 using test::MshKind;
@@ -205,4 +205,4 @@ TEST(MutatedMailFile, EndsInAMeshOrASentence) {
 }
 
 } // namespace
-} // namespace rubato::mesh
+} // namespace rubato::mesh::fuzz_test

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <fstream>
 
-namespace rubato::mesh {
+namespace rubato::mesh::gmsh_test {
 namespace {
 
 using test::fault_of;
@@ -129,4 +129,4 @@ TEST_F(GmshFile, WhoseLastLineGmshWouldDropIsRefused) {
 }
 
 } // namespace
-} // namespace rubato::mesh
+} // namespace rubato::mesh::gmsh_test

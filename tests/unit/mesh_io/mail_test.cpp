@@ -12,7 +12,7 @@
 #include <fstream>
 #include <numbers>
 
-namespace rubato::mesh {
+namespace rubato::mesh::mail_test {
 namespace {
 
 using test::fault_of;
@@ -279,4 +279,4 @@ TEST_F(MailFile, WithANameGivenTwiceIsRefused) {
 }
 
 } // namespace
-} // namespace rubato::mesh
+} // namespace rubato::mesh::mail_test

@@ -13,7 +13,7 @@
 #include <array>
 #include <cmath>
 
-namespace rubato::mesh {
+namespace rubato::mesh::med_fields_test {
 namespace {
 
 Mesh square() {
@@ -88,4 +88,4 @@ TEST_F(FieldsOfOthers, AreRefusedInAFileOfAnotherKind) {
 }
 
 } // namespace
-} // namespace rubato::mesh
+} // namespace rubato::mesh::med_fields_test

@@ -10,7 +10,7 @@
 #include "support/faults.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace rubato::mesh {
+namespace rubato::mesh::med_names_test {
 namespace {
 
 using test::fault_of;
@@ -83,4 +83,4 @@ TEST(MedNames, AreWrittenAndReadBack) {
 }
 
 } // namespace
-} // namespace rubato::mesh
+} // namespace rubato::mesh::med_names_test

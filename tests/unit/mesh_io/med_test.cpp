@@ -8,7 +8,7 @@
 #include "support/scratch_folder.hpp"
 #include <fstream>
 
-namespace rubato::mesh {
+namespace rubato::mesh::med_test {
 namespace {
 
 using test::fault_of;
@@ -128,4 +128,4 @@ TEST(MedFile, RefusesNamesAndNumbersThatMedCannotHold) {
 }
 
 } // namespace
-} // namespace rubato::mesh
+} // namespace rubato::mesh::med_test

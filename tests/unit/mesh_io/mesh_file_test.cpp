@@ -8,7 +8,7 @@
 #include "support/scratch_folder.hpp"
 #include <fstream>
 
-namespace rubato::mesh {
+namespace rubato::mesh::mesh_file_test {
 namespace {
 
 using test::fault_of;
@@ -58,4 +58,4 @@ TEST(MeshFile, IsWrittenForParaViewToo) {
 }
 
 } // namespace
-} // namespace rubato::mesh
+} // namespace rubato::mesh::mesh_file_test

@@ -11,7 +11,7 @@
 #include "support/faults.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace rubato::mesh {
+namespace rubato::mesh::meshio_med_test {
 namespace {
 
 using test::Hdf5Making;
@@ -123,4 +123,4 @@ TEST(MeshioMedFile, WithCellsUnknownHereIsRefused) {
 }
 
 } // namespace
-} // namespace rubato::mesh
+} // namespace rubato::mesh::meshio_med_test

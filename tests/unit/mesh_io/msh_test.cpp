@@ -10,7 +10,7 @@
 #include "support/scratch_folder.hpp"
 #include <fstream>
 
-namespace rubato::mesh {
+namespace rubato::mesh::msh_test {
 namespace {
 
 using test::fault_of;
@@ -346,4 +346,4 @@ TEST(MshVersion, OfOtherKindsIsRefusedWithTheCommandThatConvertsIt) {
 }
 
 } // namespace
-} // namespace rubato::mesh
+} // namespace rubato::mesh::msh_test

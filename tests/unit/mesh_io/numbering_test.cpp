@@ -6,7 +6,7 @@
 #include "one_cell.hpp"
 #include <array>
 
-namespace rubato::mesh {
+namespace rubato::mesh::numbering_test {
 namespace {
 
 /// The points of a cell in its reference shape, in MED's order.
@@ -66,4 +66,4 @@ TEST(MedNumbering, NamesEveryCellTypeBothWays) {
 }
 
 } // namespace
-} // namespace rubato::mesh
+} // namespace rubato::mesh::numbering_test

@@ -10,7 +10,7 @@
 #include "support/scratch_folder.hpp"
 #include <array>
 
-namespace rubato::mesh {
+namespace rubato::mesh::odd_med_test {
 namespace {
 
 using test::fault_of;
@@ -173,4 +173,4 @@ TEST(OddMedFile, OfAnotherVersionIsRefused) {
 }
 
 } // namespace
-} // namespace rubato::mesh
+} // namespace rubato::mesh::odd_med_test

@@ -7,7 +7,7 @@
 #include "one_cell.hpp"
 #include "support/shared_files.hpp"
 
-namespace rubato::mesh {
+namespace rubato::mesh::shared_med_test {
 namespace {
 
 struct Expected {
@@ -142,4 +142,4 @@ INSTANTIATE_TEST_SUITE_P(Sdnl140, SharedMesh, testing::ValuesIn(all_expected()),
                          [](const auto& one) { return std::string(1, one.param.letter); });
 
 } // namespace
-} // namespace rubato::mesh
+} // namespace rubato::mesh::shared_med_test

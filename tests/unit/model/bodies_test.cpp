@@ -8,7 +8,7 @@
 #include <array>
 #include <vector>
 
-namespace rubato::model {
+namespace rubato::model::bodies_test {
 namespace {
 
 /// Squares on these lists of nodes, which lie anywhere, and edges that belong to no body.
@@ -61,4 +61,4 @@ TEST(Bodies, AreNotConnectedByEdgesAndHaveNoNodesWithoutCells) {
 }
 
 } // namespace
-} // namespace rubato::model
+} // namespace rubato::model::bodies_test

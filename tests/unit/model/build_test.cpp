@@ -5,7 +5,7 @@
 #include "studies.hpp"
 #include <numbers>
 
-namespace rubato::model {
+namespace rubato::model::build_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -175,4 +175,4 @@ TEST(Model, FindsTheNodesOfItsProbes) {
 }
 
 } // namespace
-} // namespace rubato::model
+} // namespace rubato::model::build_test

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::model {
+namespace rubato::model::chosen_sides_test {
 namespace {
 
 struct Blocks {
@@ -133,4 +133,4 @@ TEST(AZoneOfASurfaceWithItself, IsRefusedWhereNothingCanMeet) {
 }
 
 } // namespace
-} // namespace rubato::model
+} // namespace rubato::model::chosen_sides_test

@@ -8,7 +8,7 @@
 #include "unit/model/studies.hpp"
 #include <string>
 
-namespace rubato::model {
+namespace rubato::model::contact_mass_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -124,4 +124,4 @@ TEST(RedistributedMass, NeedsAnInside) {
 }
 
 } // namespace
-} // namespace rubato::model
+} // namespace rubato::model::contact_mass_test

@@ -7,7 +7,7 @@
 #include "studies.hpp"
 #include "support/faults.hpp"
 
-namespace rubato::model {
+namespace rubato::model::faults_test {
 namespace {
 
 using test::fault_of;
@@ -158,4 +158,4 @@ TEST(BadModel, OfAMeshFileIsToldAtItsName) {
 }
 
 } // namespace
-} // namespace rubato::model
+} // namespace rubato::model::faults_test

@@ -4,7 +4,7 @@
 
 #include "unit/model/meshes.hpp"
 
-namespace rubato::model {
+namespace rubato::model::forces_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -185,4 +185,4 @@ TEST_F(Loaded, ExpressionsWithoutANumberAreRefusedAtTheirPlace) {
 }
 
 } // namespace
-} // namespace rubato::model
+} // namespace rubato::model::forces_test

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <string>
 
-namespace rubato::model {
+namespace rubato::model::formulation_notes_test {
 namespace {
 
 struct Part {
@@ -91,4 +91,4 @@ TEST(Formulations, ThatNoCellHasAreRefused) {
 }
 
 } // namespace
-} // namespace rubato::model
+} // namespace rubato::model::formulation_notes_test

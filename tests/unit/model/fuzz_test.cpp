@@ -10,7 +10,7 @@
 #include <random>
 #include <string>
 
-namespace rubato::model {
+namespace rubato::model::fuzz_test {
 namespace {
 
 constexpr std::array tokens{"0",       "-1",          "1e300",        "1e-300",       "2",
@@ -65,4 +65,4 @@ TEST(ModelFuzz, MutatedDecksGiveAModelOrASentence) {
 }
 
 } // namespace
-} // namespace rubato::model
+} // namespace rubato::model::fuzz_test

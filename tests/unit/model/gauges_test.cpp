@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rubato::model {
+namespace rubato::model::gauges_test {
 namespace {
 
 using Eigen::Index;
@@ -114,4 +114,4 @@ TEST_F(RingGauge, IsNotMadeASecondTime) {
 }
 
 } // namespace
-} // namespace rubato::model
+} // namespace rubato::model::gauges_test

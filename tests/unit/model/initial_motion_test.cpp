@@ -4,7 +4,7 @@
 
 #include "unit/model/meshes.hpp"
 
-namespace rubato::model {
+namespace rubato::model::initial_motion_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -89,4 +89,4 @@ TEST_F(Begun, PlacesMustBeOfTheMesh) {
 }
 
 } // namespace
-} // namespace rubato::model
+} // namespace rubato::model::initial_motion_test

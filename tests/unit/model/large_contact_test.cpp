@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::model {
+namespace rubato::model::large_contact_test {
 namespace {
 
 /// Faces of the slave: 900.
@@ -48,4 +48,4 @@ TEST(LargeContact, IsOfNoConcernWithFewPointsOrWithoutTheMatrix) {
 }
 
 } // namespace
-} // namespace rubato::model
+} // namespace rubato::model::large_contact_test

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::model {
+namespace rubato::model::mass_scaling_test {
 namespace {
 
 /// A strip of four cells, two of them a tenth as wide as high, side by side.
@@ -109,4 +109,4 @@ TEST(MassScaling, IsRefusedOfOtherSchemes) {
 }
 
 } // namespace
-} // namespace rubato::model
+} // namespace rubato::model::mass_scaling_test

@@ -5,7 +5,7 @@
 #include "unit/model/meshes.hpp"
 #include <limits>
 
-namespace rubato::model {
+namespace rubato::model::materials_test {
 namespace {
 
 using test::elastic;
@@ -110,4 +110,4 @@ TEST(Shapes, AreJudgedOfTheGivenCellsOnly) {
 }
 
 } // namespace
-} // namespace rubato::model
+} // namespace rubato::model::materials_test

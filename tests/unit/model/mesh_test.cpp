@@ -8,7 +8,7 @@
 #include "studies.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace rubato::model {
+namespace rubato::model::mesh_test {
 namespace {
 
 study::MeshSource generated() {
@@ -73,4 +73,4 @@ TEST(MirroredCells, OfAFileAreMended) {
 }
 
 } // namespace
-} // namespace rubato::model
+} // namespace rubato::model::mesh_test

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::model {
+namespace rubato::model::mortar_edges_test {
 namespace {
 
 using test::model_of;
@@ -76,4 +76,4 @@ time: {scheme: static, step: 1, end: 1}
 }
 
 } // namespace
-} // namespace rubato::model
+} // namespace rubato::model::mortar_edges_test

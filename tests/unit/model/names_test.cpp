@@ -4,7 +4,7 @@
 
 #include "unit/model/meshes.hpp"
 
-namespace rubato::model {
+namespace rubato::model::names_test {
 namespace {
 
 using Nodes = std::vector<mesh::NodeIndex>;
@@ -77,4 +77,4 @@ TEST_F(Named, FunctionsAreNoneWithoutAName) {
 }
 
 } // namespace
-} // namespace rubato::model
+} // namespace rubato::model::names_test

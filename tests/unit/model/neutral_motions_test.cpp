@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::model {
+namespace rubato::model::neutral_motions_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -224,4 +224,4 @@ TEST(NeutralMotion, IsNoneOfACube) {
 }
 
 } // namespace
-} // namespace rubato::model
+} // namespace rubato::model::neutral_motions_test

@@ -10,7 +10,7 @@
 #include <set>
 #include <string>
 
-namespace rubato::model {
+namespace rubato::model::preloads_test {
 namespace {
 
 /// A bar of four cells one above another, cut in the middle, with its left side and its points as groups.
@@ -96,4 +96,4 @@ TEST(PreloadedMesh, IsRefusedWhereOtherCellsHoldTheCut) {
 }
 
 } // namespace
-} // namespace rubato::model
+} // namespace rubato::model::preloads_test

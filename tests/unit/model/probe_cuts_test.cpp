@@ -13,7 +13,7 @@
 #include <map>
 #include <string>
 
-namespace rubato::model {
+namespace rubato::model::probe_cuts_test {
 namespace {
 
 /// 500 N along the beam, −1000 N across it, at the upper corner of its end.
@@ -121,4 +121,4 @@ TEST(CutsOfACantilever, AreRefusedWhereTheyCutNothing) {
 }
 
 } // namespace
-} // namespace rubato::model
+} // namespace rubato::model::probe_cuts_test

@@ -4,7 +4,7 @@
 
 #include "unit/model/meshes.hpp"
 
-namespace rubato::model {
+namespace rubato::model::probes_test {
 namespace {
 
 using Nodes = std::vector<mesh::NodeIndex>;
@@ -164,4 +164,4 @@ TEST_F(Probed, FieldsOfChecksAreOnPlacesOfTheMesh) {
 }
 
 } // namespace
-} // namespace rubato::model
+} // namespace rubato::model::probes_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <functional>
 
-namespace rubato::model {
+namespace rubato::model::relations_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -269,4 +269,4 @@ time: {scheme: static, step: 1, end: 1}
 }
 
 } // namespace
-} // namespace rubato::model
+} // namespace rubato::model::relations_test

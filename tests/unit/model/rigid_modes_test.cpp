@@ -5,7 +5,7 @@
 #include "studies.hpp"
 #include "support/faults.hpp"
 
-namespace rubato::model {
+namespace rubato::model::rigid_modes_test {
 namespace {
 
 using test::fault_of;
@@ -123,4 +123,4 @@ TEST(DynamicBody, NeedsNoHolds) {
 }
 
 } // namespace
-} // namespace rubato::model
+} // namespace rubato::model::rigid_modes_test

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::model {
+namespace rubato::model::rigid_motions_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -190,4 +190,4 @@ TEST(LooseBodies, AreTheirFirstNodesWithWhatHasToHoldThem) {
 }
 
 } // namespace
-} // namespace rubato::model
+} // namespace rubato::model::rigid_motions_test

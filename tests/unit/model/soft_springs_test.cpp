@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <string>
 
-namespace rubato::model {
+namespace rubato::model::soft_springs_test {
 namespace {
 
 /// Two blocks 1 × 1 apart from each other; `stiffness` of each of the 9 nodes of the upper one
@@ -73,4 +73,4 @@ TEST(SoftSprings, AreThoseOfBodiesInContactOnly) {
 }
 
 } // namespace
-} // namespace rubato::model
+} // namespace rubato::model::soft_springs_test

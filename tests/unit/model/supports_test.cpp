@@ -5,7 +5,7 @@
 #include "unit/model/meshes.hpp"
 #include <cmath>
 
-namespace rubato::model {
+namespace rubato::model::supports_test {
 namespace {
 
 using study::Amplitude;
@@ -241,4 +241,4 @@ TEST_F(Supported, SpringsStandAtEachNodeAlongEachStiffAxis) {
 }
 
 } // namespace
-} // namespace rubato::model
+} // namespace rubato::model::supports_test

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace rubato::model {
+namespace rubato::model::surface_normals_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -124,4 +124,4 @@ TEST(FaceCorners, ShareTheAreaOfTheirFaces) {
 }
 
 } // namespace
-} // namespace rubato::model
+} // namespace rubato::model::surface_normals_test

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::model {
+namespace rubato::model::zones_test {
 namespace {
 
 using mesh::NodeIndex;
@@ -177,4 +177,4 @@ TEST(RigidFaces, AreThoseOfMastersThatBelongToNoBody) {
 }
 
 } // namespace
-} // namespace rubato::model
+} // namespace rubato::model::zones_test

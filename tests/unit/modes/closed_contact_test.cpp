@@ -3,7 +3,7 @@
 
 #include "modal_model.hpp"
 
-namespace rubato::modes {
+namespace rubato::modes::closed_contact_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -64,4 +64,4 @@ TEST(ClosedContact, HoldsTiesThatAreOpenToo) {
 }
 
 } // namespace
-} // namespace rubato::modes
+} // namespace rubato::modes::closed_contact_test

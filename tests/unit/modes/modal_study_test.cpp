@@ -5,7 +5,7 @@
 #include "support/faults.hpp"
 #include "support/two_blocks.hpp"
 
-namespace rubato::modes {
+namespace rubato::modes::modal_study_test {
 namespace {
 
 TEST(ModalStudy, HasConsistentMassesWhateverTheScheme) {
@@ -38,4 +38,4 @@ TEST(ModalStudy, WantsADensityOfEveryMaterial) {
 }
 
 } // namespace
-} // namespace rubato::modes
+} // namespace rubato::modes::modal_study_test

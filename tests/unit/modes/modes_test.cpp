@@ -8,7 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace rubato::modes {
+namespace rubato::modes::modes_test {
 namespace {
 
 const std::string bar = R"(
@@ -118,4 +118,4 @@ TEST(Modes, WantANumberAndMasses) {
 }
 
 } // namespace
-} // namespace rubato::modes
+} // namespace rubato::modes::modes_test

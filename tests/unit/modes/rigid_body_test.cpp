@@ -11,7 +11,7 @@
 #include <numbers>
 #include <string>
 
-namespace rubato::modes {
+namespace rubato::modes::rigid_body_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -78,4 +78,4 @@ TEST(RigidBody, HasTheSixFrequenciesOfRigidDynamics) {
 }
 
 } // namespace
-} // namespace rubato::modes
+} // namespace rubato::modes::rigid_body_test

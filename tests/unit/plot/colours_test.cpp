@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-namespace rubato::plot {
+namespace rubato::plot::colours_test {
 namespace {
 
 /// Of "#rrggbb", 0 to 255 (ITU-R BT.709).
@@ -41,4 +41,4 @@ TEST(Colours, OfARangeBecomeBrighterAllAlong) {
 }
 
 } // namespace
-} // namespace rubato::plot
+} // namespace rubato::plot::colours_test

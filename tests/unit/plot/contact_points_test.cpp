@@ -8,7 +8,7 @@
 #include <cmath>
 #include <fstream>
 
-namespace rubato::plot {
+namespace rubato::plot::contact_points_test {
 namespace {
 
 class ContactPointsOfARun : public testing::Test {
@@ -47,4 +47,4 @@ TEST_F(ContactPointsOfARun, AreRefusedWithTheNearestZoneOrTheLine) {
 }
 
 } // namespace
-} // namespace rubato::plot
+} // namespace rubato::plot::contact_points_test

@@ -8,7 +8,7 @@
 #include "support/patch_mesh.hpp"
 #include <numbers>
 
-namespace rubato::plot {
+namespace rubato::plot::facets_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -86,4 +86,4 @@ TEST(Facets, OfLargeMeshesAreFewEnoughForAFile) {
 }
 
 } // namespace
-} // namespace rubato::plot
+} // namespace rubato::plot::facets_test

@@ -8,7 +8,7 @@
 #include <limits>
 #include <pugixml.hpp>
 
-namespace rubato::plot {
+namespace rubato::plot::figure_test {
 namespace {
 
 Figure one_panel(Curve curve) {
@@ -85,4 +85,4 @@ TEST(Figures, AreRefusedWhereTheyHaveNoRoom) {
 }
 
 } // namespace
-} // namespace rubato::plot
+} // namespace rubato::plot::figure_test

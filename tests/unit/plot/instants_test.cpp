@@ -6,7 +6,7 @@
 #include "support/faults.hpp"
 #include <array>
 
-namespace rubato::plot {
+namespace rubato::plot::instants_test {
 namespace {
 
 constexpr std::array stored{0.0, 0.1, 0.30000000000000004, 1.0};
@@ -25,4 +25,4 @@ TEST(StoredInstants, ThatAreNotThereAreToldWithTheNearest) {
 }
 
 } // namespace
-} // namespace rubato::plot
+} // namespace rubato::plot::instants_test

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace rubato::plot {
+namespace rubato::plot::picture_file_test {
 namespace {
 
 std::string text_of(const std::filesystem::path& path) {
@@ -48,4 +48,4 @@ TEST(PictureFiles, AreNotBegunWhereTheyCannotBeMade) {
 }
 
 } // namespace
-} // namespace rubato::plot
+} // namespace rubato::plot::picture_file_test

@@ -6,7 +6,7 @@
 #include "support/faults.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace rubato::plot {
+namespace rubato::plot::snapshot_test {
 namespace {
 
 /// Two nodes.
@@ -55,4 +55,4 @@ TEST(Snapshots, OfRunsWithoutFieldsAreRefused) {
 }
 
 } // namespace
-} // namespace rubato::plot
+} // namespace rubato::plot::snapshot_test

@@ -6,7 +6,7 @@
 #include <array>
 #include <pugixml.hpp>
 
-namespace rubato::plot {
+namespace rubato::plot::svg_test {
 namespace {
 
 pugi::xml_document parsed(Svg svg) {
@@ -63,4 +63,4 @@ TEST(TextWidth, CountsLettersNotBytes) {
 }
 
 } // namespace
-} // namespace rubato::plot
+} // namespace rubato::plot::svg_test

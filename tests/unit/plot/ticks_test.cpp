@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace rubato::plot {
+namespace rubato::plot::ticks_test {
 namespace {
 
 std::vector<std::string> labels_of(const Ticks& ticks) {
@@ -75,4 +75,4 @@ TEST(Ranges, OfOneNumberOrNoneHaveALength) {
 }
 
 } // namespace
-} // namespace rubato::plot
+} // namespace rubato::plot::ticks_test

@@ -8,7 +8,7 @@
 #include <vector>
 #include <zlib.h>
 
-namespace rubato::report {
+namespace rubato::report::packing_test {
 namespace {
 
 /// Undoes what data.js undoes, from the format's description.
@@ -58,4 +58,4 @@ TEST(PackedNumbers, MayBeNone) {
 }
 
 } // namespace
-} // namespace rubato::report
+} // namespace rubato::report::packing_test

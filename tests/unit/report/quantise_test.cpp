@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace rubato::report {
+namespace rubato::report::quantise_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -59,4 +59,4 @@ TEST(QuantisedValues, MayReachOverTheWholeRangeOfNumbers) {
 }
 
 } // namespace
-} // namespace rubato::report
+} // namespace rubato::report::quantise_test

@@ -14,7 +14,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace rubato::report {
+namespace rubato::report::report_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -108,4 +108,4 @@ TEST_F(Report, ThatCannotBeWrittenIsRefusedAndLeavesNothing) {
 }
 
 } // namespace
-} // namespace rubato::report
+} // namespace rubato::report::report_test

@@ -9,7 +9,7 @@
 #include "support/scratch_folder.hpp"
 #include <fstream>
 
-namespace rubato::report {
+namespace rubato::report::run_record_test {
 namespace {
 
 class RecordOfARun : public testing::Test {
@@ -97,4 +97,4 @@ TEST_F(RecordOfARun, NeedsASummary) {
 }
 
 } // namespace
-} // namespace rubato::report
+} // namespace rubato::report::run_record_test

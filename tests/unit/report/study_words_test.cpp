@@ -10,7 +10,7 @@
 
 #include <map>
 
-namespace rubato::report {
+namespace rubato::report::study_words_test {
 namespace {
 
 constexpr auto deck = R"(
@@ -90,4 +90,4 @@ TEST(AStudyInWords, SaysTheMotionOfTheBaseAndVelocitiesOfSupports) {
 }
 
 } // namespace
-} // namespace rubato::report
+} // namespace rubato::report::study_words_test

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rubato::report {
+namespace rubato::report::view_data_test {
 namespace {
 
 /// A strip of many quadrangles with a displacement and a rough scalar.
@@ -119,4 +119,4 @@ TEST(ViewData, LeaveInstantsOutThenButNotTheLast) {
 }
 
 } // namespace
-} // namespace rubato::report
+} // namespace rubato::report::view_data_test

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <set>
 
-namespace rubato::report {
+namespace rubato::report::view_mesh_test {
 namespace {
 
 Eigen::Vector3d corner(const mesh::Mesh& mesh, const ViewMesh& view, std::size_t i) {
@@ -100,4 +100,4 @@ TEST(TheView, OfAMeshOfPointsIsEmpty) {
 }
 
 } // namespace
-} // namespace rubato::report
+} // namespace rubato::report::view_mesh_test

@@ -19,7 +19,7 @@
 #include <cmath>
 #include <map>
 
-namespace rubato::results {
+namespace rubato::results::cell_fields_test {
 namespace {
 
 using Values = std::vector<double>;
@@ -288,4 +288,4 @@ TEST(FieldsInMed, AreAtGaussPointsAndAtElementNodes) {
 }
 
 } // namespace
-} // namespace rubato::results
+} // namespace rubato::results::cell_fields_test

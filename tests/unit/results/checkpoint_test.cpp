@@ -13,7 +13,7 @@
 #include <limits>
 #include <variant>
 
-namespace rubato::results {
+namespace rubato::results::checkpoint_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -210,4 +210,4 @@ TEST(AFingerprint, TellsStatesApartByWhatMaterialsRemember) {
 }
 
 } // namespace
-} // namespace rubato::results
+} // namespace rubato::results::checkpoint_test

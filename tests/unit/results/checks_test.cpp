@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::results {
+namespace rubato::results::checks_test {
 namespace {
 
 /// y = −1 − 10 t at four instants, x = 0.
@@ -145,4 +145,4 @@ TEST(CheckTable, InMarkdownHasACellForEachPart) {
 }
 
 } // namespace
-} // namespace rubato::results
+} // namespace rubato::results::checks_test

@@ -15,7 +15,7 @@
 #include <array>
 #include <cmath>
 
-namespace rubato::results {
+namespace rubato::results::compare_test {
 namespace {
 
 using test::fault_of;
@@ -193,4 +193,4 @@ TEST(Histories, AreRefusedWithoutTheProbeOrTheInstant) {
 }
 
 } // namespace
-} // namespace rubato::results
+} // namespace rubato::results::compare_test

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::results {
+namespace rubato::results::contact_table_test {
 namespace {
 
 /// A line of a table whose cells are numbers, words or empty, by column.
@@ -189,4 +189,4 @@ TEST(ContactTable, HasItsLastInstantWhereARunStopsEarly) {
 }
 
 } // namespace
-} // namespace rubato::results
+} // namespace rubato::results::contact_table_test

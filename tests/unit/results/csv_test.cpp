@@ -12,7 +12,7 @@
 #include <limits>
 #include <random>
 
-namespace rubato::results {
+namespace rubato::results::csv_test {
 namespace {
 
 using test::fault_of;
@@ -116,4 +116,4 @@ TEST(CsvLines, AreGivenAsTextWithTheirPlaces) {
 }
 
 } // namespace
-} // namespace rubato::results
+} // namespace rubato::results::csv_test

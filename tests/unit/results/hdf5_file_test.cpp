@@ -15,7 +15,7 @@
 #include <stdexcept>
 #include <thread>
 
-namespace rubato::results {
+namespace rubato::results::hdf5_file_test {
 namespace {
 
 using Access = Hdf5File::Access;
@@ -179,4 +179,4 @@ TEST_F(StoredArrays, NeedAnHdf5File) {
 }
 
 } // namespace
-} // namespace rubato::results
+} // namespace rubato::results::hdf5_file_test

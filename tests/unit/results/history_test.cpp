@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rubato::results {
+namespace rubato::results::history_test {
 namespace {
 
 Table history() {
@@ -51,4 +51,4 @@ TEST(NamedInstant, IsMetByTheEndOfAStepButForRounding) {
 }
 
 } // namespace
-} // namespace rubato::results
+} // namespace rubato::results::history_test

@@ -8,7 +8,7 @@
 #include "support/scratch_folder.hpp"
 #include <array>
 
-namespace rubato::results {
+namespace rubato::results::med_fields_test {
 namespace {
 
 using test::fault_of;
@@ -101,4 +101,4 @@ TEST_F(MedFields, AreAskedForByTheirRightNameAndInstant) {
 }
 
 } // namespace
-} // namespace rubato::results
+} // namespace rubato::results::med_fields_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace rubato::results {
+namespace rubato::results::nodal_fields_test {
 namespace {
 
 using contact::Status;
@@ -123,4 +123,4 @@ TEST(FieldsWithoutContact, AreFive) {
 }
 
 } // namespace
-} // namespace rubato::results
+} // namespace rubato::results::nodal_fields_test

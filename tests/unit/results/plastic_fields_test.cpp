@@ -12,7 +12,7 @@
 #include <cmath>
 #include <map>
 
-namespace rubato::results {
+namespace rubato::results::plastic_fields_test {
 namespace {
 
 using Values = std::vector<double>;
@@ -252,4 +252,4 @@ TEST(ProbesInCells, TakeMeansByTheVolumeOfRings) {
 }
 
 } // namespace
-} // namespace rubato::results
+} // namespace rubato::results::plastic_fields_test

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::results {
+namespace rubato::results::probe_values_test {
 namespace {
 
 /// A block of height 1 that is pressed by 1000 onto a plane: σ_yy = −1000 in the middle, p = 1000 in the
@@ -89,4 +89,4 @@ TEST_F(ProbesOfABlock, AreCheckedAsAllElse) {
 }
 
 } // namespace
-} // namespace rubato::results
+} // namespace rubato::results::probe_values_test

@@ -8,7 +8,7 @@
 #include "support/model_of.hpp"
 #include <string>
 
-namespace rubato::results {
+namespace rubato::results::reactions_test {
 namespace {
 
 /// A column that is loaded at its top and lands on a plane with its lower side, held at its left.
@@ -87,4 +87,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& scheme) { return std::string(scheme.param.name); });
 
 } // namespace
-} // namespace rubato::results
+} // namespace rubato::results::reactions_test

@@ -18,7 +18,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace rubato::results {
+namespace rubato::results::recorder_test {
 namespace {
 
 using test::two_blocks;
@@ -409,4 +409,4 @@ TEST_F(RunFolder, IsNotTakenForOneWithoutASoundSummary) {
 }
 
 } // namespace
-} // namespace rubato::results
+} // namespace rubato::results::recorder_test

@@ -7,7 +7,7 @@
 #include "support/scratch_folder.hpp"
 #include <fstream>
 
-namespace rubato::results {
+namespace rubato::results::run_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -108,4 +108,4 @@ TEST(RunFolderPreparation, IsRefusedWhereAFileStands) {
 }
 
 } // namespace
-} // namespace rubato::results
+} // namespace rubato::results::run_folder_test

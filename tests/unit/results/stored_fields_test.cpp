@@ -13,7 +13,7 @@
 #include "unit/mesh_io/one_cell.hpp"
 #include <filesystem>
 
-namespace rubato::results {
+namespace rubato::results::stored_fields_test {
 namespace {
 
 class FieldsOfARun : public testing::Test {
@@ -108,4 +108,4 @@ TEST_F(FieldsOfARun, OfWhichAFileIsGoneAreRefused) {
 }
 
 } // namespace
-} // namespace rubato::results
+} // namespace rubato::results::stored_fields_test

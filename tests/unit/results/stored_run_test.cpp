@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace rubato::results {
+namespace rubato::results::stored_run_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -93,4 +93,4 @@ TEST_F(FolderOfARun, IsAskedForWhereThereIsNone) {
 }
 
 } // namespace
-} // namespace rubato::results
+} // namespace rubato::results::stored_run_test

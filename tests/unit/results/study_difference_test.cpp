@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::results {
+namespace rubato::results::study_difference_test {
 namespace {
 
 std::string echo(const std::vector<deck::Setting>& changes = {}) {
@@ -58,4 +58,4 @@ TEST(SameStudy, HasNoDifference) {
 }
 
 } // namespace
-} // namespace rubato::results
+} // namespace rubato::results::study_difference_test

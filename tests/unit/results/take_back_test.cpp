@@ -11,7 +11,7 @@
 #include <iterator>
 #include <stdexcept>
 
-namespace rubato::results {
+namespace rubato::results::take_back_test {
 namespace {
 
 /// Blocks with fields after every second step.
@@ -102,4 +102,4 @@ TEST(ARecorderAmongObservers, TakesBackAnAttemptThatFailed) {
 }
 
 } // namespace
-} // namespace rubato::results
+} // namespace rubato::results::take_back_test

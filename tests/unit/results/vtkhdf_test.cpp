@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 
-namespace rubato::results {
+namespace rubato::results::vtkhdf_test {
 namespace {
 
 using Values = std::vector<double>;
@@ -104,4 +104,4 @@ TEST_F(VtkHdf, IsRefusedWhereNoFileCanBe) {
 }
 
 } // namespace
-} // namespace rubato::results
+} // namespace rubato::results::vtkhdf_test

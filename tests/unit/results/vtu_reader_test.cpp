@@ -15,7 +15,7 @@
 #include <fstream>
 #include <zlib.h>
 
-namespace rubato::results {
+namespace rubato::results::vtu_reader_test {
 namespace {
 
 using mesh::vtk::read_pvd;
@@ -207,4 +207,4 @@ TEST_F(VtuReader, SeriesAreReadWithTheirTimes) {
 }
 
 } // namespace
-} // namespace rubato::results
+} // namespace rubato::results::vtu_reader_test

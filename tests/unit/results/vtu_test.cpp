@@ -16,7 +16,7 @@
 #include <numeric>
 #include <zlib.h>
 
-namespace rubato::results {
+namespace rubato::results::vtu_test {
 namespace {
 
 using test::fault_of;
@@ -416,4 +416,4 @@ TEST(PvdSeries, GoesOnFromWhatWasThere) {
 }
 
 } // namespace
-} // namespace rubato::results
+} // namespace rubato::results::vtu_test

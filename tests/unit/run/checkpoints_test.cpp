@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace rubato::run {
+namespace rubato::run::checkpoints_test {
 namespace {
 
 class Checkpoints : public testing::Test {
@@ -80,4 +80,4 @@ TEST_F(Checkpoints, AreNoneInAnEmptyFolder) {
 }
 
 } // namespace
-} // namespace rubato::run
+} // namespace rubato::run::checkpoints_test

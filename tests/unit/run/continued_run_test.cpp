@@ -12,7 +12,7 @@
 #include "support/scratch_folder.hpp"
 #include "support/two_blocks.hpp"
 
-namespace rubato::run {
+namespace rubato::run::continued_run_test {
 namespace {
 
 using test::fault_of;
@@ -133,4 +133,4 @@ TEST_F(ContinuedRun, HasACheckpointFromTheFirstStepAtOrAfterItsInstant) {
 }
 
 } // namespace
-} // namespace rubato::run
+} // namespace rubato::run::continued_run_test

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::run {
+namespace rubato::run::energy_watch_test {
 namespace {
 
 class EnergyOfARun : public testing::Test {
@@ -189,4 +189,4 @@ TEST_F(EnergyOfARun, IsNotWarnedOfBelowAHundredth) {
 }
 
 } // namespace
-} // namespace rubato::run
+} // namespace rubato::run::energy_watch_test

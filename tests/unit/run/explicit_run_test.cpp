@@ -11,7 +11,7 @@
 #include "support/two_blocks.hpp"
 #include <cmath>
 
-namespace rubato::run {
+namespace rubato::run::explicit_run_test {
 namespace {
 
 using test::fault_of;
@@ -111,4 +111,4 @@ TEST_F(ExplicitRun, StopsWhenItIsAsked) {
 }
 
 } // namespace
-} // namespace rubato::run
+} // namespace rubato::run::explicit_run_test

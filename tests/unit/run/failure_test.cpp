@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <set>
 
-namespace rubato::run {
+namespace rubato::run::failure_test {
 namespace {
 
 using step::Criterion;
@@ -227,4 +227,4 @@ INSTANTIATE_TEST_SUITE_P(Methods, AnyMethod,
                                          "fixed_point, geometry: fixed_point}"));
 
 } // namespace
-} // namespace rubato::run
+} // namespace rubato::run::failure_test

@@ -11,7 +11,7 @@
 #include <tuple>
 #include <vector>
 
-namespace rubato::run {
+namespace rubato::run::interference_fit_test {
 namespace {
 
 using deck::Setting;
@@ -199,4 +199,4 @@ TEST(EnergyOfContact, IsNoneOfExactMethods) {
 }
 
 } // namespace
-} // namespace rubato::run
+} // namespace rubato::run::interference_fit_test

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::run {
+namespace rubato::run::interrupted_run_test {
 namespace {
 
 class InterruptedRun : public testing::Test {
@@ -112,4 +112,4 @@ TEST_F(WaitingRun, StoppedOnItsWayGoesOnAsIfNothingHadBeen) {
 }
 
 } // namespace
-} // namespace rubato::run
+} // namespace rubato::run::interrupted_run_test

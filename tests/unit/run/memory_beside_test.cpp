@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace rubato::run {
+namespace rubato::run::memory_beside_test {
 namespace {
 
 constexpr auto unlimited = std::numeric_limits<std::size_t>::max();
@@ -56,4 +56,4 @@ TEST(NeedAlike, GoesByMeshPhysicsAndSolver) {
 }
 
 } // namespace
-} // namespace rubato::run
+} // namespace rubato::run::memory_beside_test

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::run {
+namespace rubato::run::nonlinear_explicit_test {
 namespace {
 
 using simulation::Simulation;
@@ -159,4 +159,4 @@ TEST(ARunFromTheEndOfAnExplicitOne, TakesWhatMaterialsRemember) {
 }
 
 } // namespace
-} // namespace rubato::run
+} // namespace rubato::run::nonlinear_explicit_test

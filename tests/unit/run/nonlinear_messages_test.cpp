@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::run {
+namespace rubato::run::nonlinear_messages_test {
 namespace {
 
 using step::Criterion;
@@ -203,4 +203,4 @@ TEST(TheStartOfNonlinearBodies, IsRefusedWhereACellIsTurnedInsideOut) {
 }
 
 } // namespace
-} // namespace rubato::run
+} // namespace rubato::run::nonlinear_messages_test

@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace rubato::run {
+namespace rubato::run::nonlinear_resume_test {
 namespace {
 
 using simulation::Simulation;
@@ -176,4 +176,4 @@ TEST(ARunFromTheEndOfAnother, IsRefusedWhereMaterialsRememberSomethingElse) {
 }
 
 } // namespace
-} // namespace rubato::run
+} // namespace rubato::run::nonlinear_resume_test

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::run {
+namespace rubato::run::overlap_watch_test {
 namespace {
 
 using test::Walk;
@@ -134,4 +134,4 @@ TEST_F(Overlap, IsSmallOnTheRightSideAndByMortarOnEither) {
 }
 
 } // namespace
-} // namespace rubato::run
+} // namespace rubato::run::overlap_watch_test

@@ -8,7 +8,7 @@
 #include "support/two_blocks.hpp"
 #include <algorithm>
 
-namespace rubato::run {
+namespace rubato::run::plan_test {
 namespace {
 
 using test::two_blocks;
@@ -53,4 +53,4 @@ TEST(Plan, RefusesWhatTheModelRefuses) {
 }
 
 } // namespace
-} // namespace rubato::run
+} // namespace rubato::run::plan_test

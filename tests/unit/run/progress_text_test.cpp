@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::run {
+namespace rubato::run::progress_text_test {
 namespace {
 
 constexpr std::size_t usual = 80;
@@ -163,4 +163,4 @@ TEST(LineOfRunsAtOnce, NeverWraps) {
 }
 
 } // namespace
-} // namespace rubato::run
+} // namespace rubato::run::progress_text_test

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::run {
+namespace rubato::run::recall_watch_test {
 namespace {
 
 std::vector<std::string> warnings_of(const std::string& step, const std::string& recall) {
@@ -43,4 +43,4 @@ TEST(Recall, IsNotToldOfShortStepsOrWithoutIt) {
 }
 
 } // namespace
-} // namespace rubato::run
+} // namespace rubato::run::recall_watch_test

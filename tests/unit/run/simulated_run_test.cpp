@@ -6,7 +6,7 @@
 #include "support/scratch_folder.hpp"
 #include "support/simulated_blocks.hpp"
 
-namespace rubato::run {
+namespace rubato::run::simulated_run_test {
 namespace {
 
 class SimulatedRun : public testing::TestWithParam<test::Kind> {};
@@ -30,4 +30,4 @@ TEST_P(SimulatedRun, EndsWhereStepAfterStepEnds) {
 INSTANTIATE_TEST_SUITE_P(Kinds, SimulatedRun, test::both_kinds(), test::name_of_kind);
 
 } // namespace
-} // namespace rubato::run
+} // namespace rubato::run::simulated_run_test

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::run {
+namespace rubato::run::time_loop_test {
 namespace {
 
 using test::two_blocks;
@@ -219,4 +219,4 @@ TEST_F(WatchedRun, HoldsItsChecksOnlyWhenAllHold) {
 }
 
 } // namespace
-} // namespace rubato::run
+} // namespace rubato::run::time_loop_test

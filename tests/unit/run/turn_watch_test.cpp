@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::run {
+namespace rubato::run::turn_watch_test {
 namespace {
 
 /// A bar whose right end a relation holds, and whose reference something turns.
@@ -76,4 +76,4 @@ TEST(Turns, OfADistributedGroupAreToldWhereItsReferenceCounts) {
 }
 
 } // namespace
-} // namespace rubato::run
+} // namespace rubato::run::turn_watch_test

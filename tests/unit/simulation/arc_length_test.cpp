@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::simulation {
+namespace rubato::simulation::arc_length_test {
 namespace {
 
 constexpr double rise = 0.12;
@@ -151,4 +151,4 @@ time: {scheme: static, step: 0.1, end: 1, arc_length: {length: 0.03, on: roof}}
 }
 
 } // namespace
-} // namespace rubato::simulation
+} // namespace rubato::simulation::arc_length_test

@@ -13,7 +13,7 @@
 #include <ostream>
 #include <string>
 
-namespace rubato::simulation {
+namespace rubato::simulation::base_motion_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -211,4 +211,4 @@ TEST(BaseMotion, CarriesAStaticBodyWithoutStrain) {
 }
 
 } // namespace
-} // namespace rubato::simulation
+} // namespace rubato::simulation::base_motion_test

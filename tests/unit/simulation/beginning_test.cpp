@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace rubato::simulation {
+namespace rubato::simulation::beginning_test {
 namespace {
 
 using test::expect_same;
@@ -95,4 +95,4 @@ TEST(ASimulation, SaysHowItStepsAndWhatMemoryItsMatrixTakes) {
 }
 
 } // namespace
-} // namespace rubato::simulation
+} // namespace rubato::simulation::beginning_test

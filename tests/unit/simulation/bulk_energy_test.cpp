@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace rubato::simulation {
+namespace rubato::simulation::bulk_energy_test {
 namespace {
 
 using deck::Setting;
@@ -303,4 +303,4 @@ TEST(BulkScheme, FallsWithTheSquareOfTheStep) {
 }
 
 } // namespace
-} // namespace rubato::simulation
+} // namespace rubato::simulation::bulk_energy_test

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-namespace rubato::simulation {
+namespace rubato::simulation::cuts_test {
 namespace {
 
 using test::expect_same;
@@ -159,4 +159,4 @@ TEST(ExplicitMotionBeyondAllBounds, LeavesTheSimulationWhereItWas) {
 }
 
 } // namespace
-} // namespace rubato::simulation
+} // namespace rubato::simulation::cuts_test

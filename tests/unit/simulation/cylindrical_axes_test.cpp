@@ -14,7 +14,7 @@
 #include <numbers>
 #include <string>
 
-namespace rubato::simulation {
+namespace rubato::simulation::cylindrical_axes_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -184,4 +184,4 @@ TEST(CylindricalAxes, MayHaveTheirLineAtAnEdgeOrACornerOfACell) {
 }
 
 } // namespace
-} // namespace rubato::simulation
+} // namespace rubato::simulation::cylindrical_axes_test

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <string>
 
-namespace rubato::simulation {
+namespace rubato::simulation::embedded_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -271,4 +271,4 @@ TEST(ContactForces, AreRefusedOfAZoneThatThereIsNot) {
 }
 
 } // namespace
-} // namespace rubato::simulation
+} // namespace rubato::simulation::embedded_test

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::simulation {
+namespace rubato::simulation::energy_momentum_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -348,4 +348,4 @@ TEST(TangentsOfTheStep, AreExactWhereTheSymmetricOneHasNoEnd) {
 }
 
 } // namespace
-} // namespace rubato::simulation
+} // namespace rubato::simulation::energy_momentum_test

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::simulation {
+namespace rubato::simulation::field_files_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -219,4 +219,4 @@ TEST(AFieldOfAnotherMesh, IsRefusedWithTheNodeAndTheDistance) {
 }
 
 } // namespace
-} // namespace rubato::simulation
+} // namespace rubato::simulation::field_files_test

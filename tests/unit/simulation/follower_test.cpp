@@ -9,7 +9,7 @@
 #include <numbers>
 #include <string>
 
-namespace rubato::simulation {
+namespace rubato::simulation::follower_test {
 namespace {
 
 using std::numbers::pi;
@@ -104,4 +104,4 @@ TEST(FollowerPressure, DoesTheWorkOfTheVolumeThatIsLost) {
 }
 
 } // namespace
-} // namespace rubato::simulation
+} // namespace rubato::simulation::follower_test

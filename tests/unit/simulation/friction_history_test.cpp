@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::simulation {
+namespace rubato::simulation::friction_history_test {
 namespace {
 
 struct Kind {
@@ -132,4 +132,4 @@ TEST(FrictionHistory, BeginsAnewInARunThatStartsFromAnother) {
 }
 
 } // namespace
-} // namespace rubato::simulation
+} // namespace rubato::simulation::friction_history_test

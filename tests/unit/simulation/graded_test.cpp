@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-namespace rubato::simulation {
+namespace rubato::simulation::graded_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -244,4 +244,4 @@ TEST(AnyExpressionOfAMaterial, GivesAModelOrOneSentence) {
 }
 
 } // namespace
-} // namespace rubato::simulation
+} // namespace rubato::simulation::graded_test

@@ -12,7 +12,7 @@
 #include <numbers>
 #include <string>
 
-namespace rubato::simulation {
+namespace rubato::simulation::heat_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -295,4 +295,4 @@ TEST(Heat, RefusesWhatSaysNothing) {
 }
 
 } // namespace
-} // namespace rubato::simulation
+} // namespace rubato::simulation::heat_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-namespace rubato::simulation {
+namespace rubato::simulation::law_springs_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -177,4 +177,4 @@ TEST(LawSprings, AreRefusedWhereTheySayNothing) {
 }
 
 } // namespace
-} // namespace rubato::simulation
+} // namespace rubato::simulation::law_springs_test

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::simulation {
+namespace rubato::simulation::modal_damping_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -138,4 +138,4 @@ TEST(ModalDamping, IsRefusedWhereItCannotBe) {
 }
 
 } // namespace
-} // namespace rubato::simulation
+} // namespace rubato::simulation::modal_damping_test

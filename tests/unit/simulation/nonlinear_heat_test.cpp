@@ -16,7 +16,7 @@
 #include <tuple>
 #include <vector>
 
-namespace rubato::simulation {
+namespace rubato::simulation::nonlinear_heat_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -225,4 +225,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return name_of(std::get<0>(info.param), name_of_time(std::get<1>(info.param))); });
 
 } // namespace
-} // namespace rubato::simulation
+} // namespace rubato::simulation::nonlinear_heat_test

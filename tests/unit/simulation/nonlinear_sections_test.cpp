@@ -10,7 +10,7 @@
 #include <string>
 #include <tuple>
 
-namespace rubato::simulation {
+namespace rubato::simulation::nonlinear_sections_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -147,4 +147,4 @@ TEST(SectionsOfNonlinearBodies, AreInBalanceWithInertia) {
 }
 
 } // namespace
-} // namespace rubato::simulation
+} // namespace rubato::simulation::nonlinear_sections_test

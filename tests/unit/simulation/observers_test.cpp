@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::simulation {
+namespace rubato::simulation::observers_test {
 namespace {
 
 using test::expect_same;
@@ -78,4 +78,4 @@ TEST_P(Observed, StandsWhereItStoodWhenAnObserverThrows) {
 INSTANTIATE_TEST_SUITE_P(Kinds, Observed, test::both_kinds(), test::name_of_kind);
 
 } // namespace
-} // namespace rubato::simulation
+} // namespace rubato::simulation::observers_test

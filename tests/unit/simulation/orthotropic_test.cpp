@@ -8,7 +8,7 @@
 #include "support/two_blocks.hpp"
 #include <string>
 
-namespace rubato::simulation {
+namespace rubato::simulation::orthotropic_test {
 namespace {
 
 using test::with;
@@ -102,4 +102,4 @@ TEST(OrthotropicBlocks, WithIsotropicNumbersEndsWhereTheIsotropicOneEnds) {
 }
 
 } // namespace
-} // namespace rubato::simulation
+} // namespace rubato::simulation::orthotropic_test

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::simulation {
+namespace rubato::simulation::preload_test {
 namespace {
 
 /// A bolt between two plates, each of them one above another that it touches, all of width 1 and length 4 in
@@ -201,4 +201,4 @@ TEST(Preload, RefusesWhatItCannotCut) {
 }
 
 } // namespace
-} // namespace rubato::simulation
+} // namespace rubato::simulation::preload_test

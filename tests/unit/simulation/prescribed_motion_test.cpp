@@ -13,7 +13,7 @@
 #include <ostream>
 #include <string>
 
-namespace rubato::simulation {
+namespace rubato::simulation::prescribed_motion_test {
 namespace {
 
 using std::numbers::pi;
@@ -167,4 +167,4 @@ TEST(PrescribedMotion, TurnsAReference) {
 }
 
 } // namespace
-} // namespace rubato::simulation
+} // namespace rubato::simulation::prescribed_motion_test

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::simulation {
+namespace rubato::simulation::reduced_test {
 namespace {
 
 /// Slender, of unit density and stiffness, under its weight from one instant on.
@@ -109,4 +109,4 @@ time: {scheme: central_difference, end: 200, record: 200}
 }
 
 } // namespace
-} // namespace rubato::simulation
+} // namespace rubato::simulation::reduced_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <string>
 
-namespace rubato::simulation {
+namespace rubato::simulation::relations_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -237,4 +237,4 @@ INSTANTIATE_TEST_SUITE_P(Every, RelatedStudy,
                          });
 
 } // namespace
-} // namespace rubato::simulation
+} // namespace rubato::simulation::relations_test

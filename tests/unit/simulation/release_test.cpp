@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::simulation {
+namespace rubato::simulation::release_test {
 namespace {
 
 /// A bar of one cell, of length and area 1, stretched by 0.01 and let go at t = 0.1: an oscillator.
@@ -214,4 +214,4 @@ supports: [)" +
 }
 
 } // namespace
-} // namespace rubato::simulation
+} // namespace rubato::simulation::release_test

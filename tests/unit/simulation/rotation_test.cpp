@@ -9,7 +9,7 @@
 #include <cmath>
 #include <string>
 
-namespace rubato::simulation {
+namespace rubato::simulation::rotation_test {
 namespace {
 
 /// A beam from (0, 0) to (4, 1) of E = 1000, whose left end stands on the line of most rotations.
@@ -158,4 +158,4 @@ time: {scheme: newmark, step: 0.05, end: 0.5}
 }
 
 } // namespace
-} // namespace rubato::simulation
+} // namespace rubato::simulation::rotation_test

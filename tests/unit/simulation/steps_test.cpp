@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace rubato::simulation {
+namespace rubato::simulation::steps_test {
 namespace {
 
 using test::expect_same;
@@ -159,4 +159,4 @@ TEST_P(Simulated, ComesToTheSameBitsWhetherStatesAreHeldOrNot) {
 INSTANTIATE_TEST_SUITE_P(Kinds, Simulated, test::both_kinds(), test::name_of_kind);
 
 } // namespace
-} // namespace rubato::simulation
+} // namespace rubato::simulation::steps_test

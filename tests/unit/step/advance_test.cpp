@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::advance_test {
 namespace {
 
 using test::Walk;
@@ -83,4 +83,4 @@ TEST(Advance, GivesTheSameWhateverTheTrialHeld) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::advance_test

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::balls_test {
 namespace {
 
 using test::Walk;
@@ -125,4 +125,4 @@ TEST_P(Balls, TouchAsHertzSays) {
 INSTANTIATE_TEST_SUITE_P(Of, Balls, testing::Values("quad8", "tria6", "quad4", "quad9"));
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::balls_test

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::bilateral_test {
 namespace {
 
 /// A block on another one, pressed down, then pulled up and aside by its roof. A gap of 0.01 is between them.
@@ -115,4 +115,4 @@ TEST(BilateralContact, CatchesABodyInMotion) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::bilateral_test

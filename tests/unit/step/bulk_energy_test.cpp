@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::bulk_energy_test {
 namespace {
 
 using deck::Setting;
@@ -127,4 +127,4 @@ INSTANTIATE_TEST_SUITE_P(EachLaw, LedgerIn, testing::ValuesIn(test::every_law),
                          [](const auto& chosen) { return chosen.param.name; });
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::bulk_energy_test

@@ -9,7 +9,7 @@
 #include "support/walk.hpp"
 #include <string>
 
-namespace rubato::step {
+namespace rubato::step::bulk_forces_test {
 namespace {
 
 class CarriedBulkForces : public testing::TestWithParam<const char*> {};
@@ -77,4 +77,4 @@ TEST(StatesOfMaterials, GoFromExplicitStepToStep) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::bulk_forces_test

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::bulk_newton_test {
 namespace {
 
 using test::Walk;
@@ -240,4 +240,4 @@ TEST(BulkNewton, VariesTheLengthOfSteps) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::bulk_newton_test

@@ -5,7 +5,7 @@
 #include "support/decks.hpp"
 #include "support/walk.hpp"
 
-namespace rubato::step {
+namespace rubato::step::contact_set_test {
 namespace {
 
 using contact::Status;
@@ -115,4 +115,4 @@ TEST(QuadraticFaces, AreInContactAtCornersAndMiddles) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::contact_set_test

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::corner_test {
 namespace {
 
 using test::Walk;
@@ -127,4 +127,4 @@ time: {scheme: static, step: 0.5, end: 2}
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::corner_test

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::energy_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -176,4 +176,4 @@ TEST(EnergyRecord, KeepsTheLargestGainWithItsInstantAndCauses) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::energy_test

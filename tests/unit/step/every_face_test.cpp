@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::every_face_test {
 namespace {
 
 using test::Walk;
@@ -87,4 +87,4 @@ INSTANTIATE_TEST_SUITE_P(Every, BeamsOf,
                          [](const auto& cells) { return std::string(cells.param.name); });
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::every_face_test

@@ -12,7 +12,7 @@
 #include <ostream>
 #include <string>
 
-namespace rubato::step {
+namespace rubato::step::exponential_test {
 namespace {
 
 using test::Walk;
@@ -142,4 +142,4 @@ TEST(DraggedBlock, SlidesAtTheFrictionOfItsPressure) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::exponential_test

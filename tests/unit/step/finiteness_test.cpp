@@ -8,7 +8,7 @@
 #include "support/walk.hpp"
 #include <limits>
 
-namespace rubato::step {
+namespace rubato::step::finiteness_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -58,4 +58,4 @@ TEST_F(NotFinite, IsTheResidualWhereNothingElseIs) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::finiteness_test

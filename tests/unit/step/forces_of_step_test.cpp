@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::forces_of_step_test {
 namespace {
 
 using domain::ForcesOf;
@@ -124,4 +124,4 @@ TEST(ForcesOfAStepOfLinearBodies, AreThoseInTheMiddle) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::forces_of_step_test

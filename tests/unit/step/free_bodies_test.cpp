@@ -16,7 +16,7 @@
 #include <tuple>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::free_bodies_test {
 namespace {
 
 using test::Walk;
@@ -328,4 +328,4 @@ TEST(FreeBlock, RestsOnPenaltiesToTheLastDigits) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::free_bodies_test

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::freeze_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -105,4 +105,4 @@ TEST(FrozenContact, GoesOnToTheSameBits) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::freeze_test

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-namespace rubato::step {
+namespace rubato::step::friction_test {
 namespace {
 
 using test::Walk;
@@ -184,4 +184,4 @@ TEST(FrictionByPenalty, SettlesUnderABodyThatOnlyContactHolds) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::friction_test

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::gap_field_test {
 namespace {
 
 /// Two blocks on one another between a roof that comes down and the ground. Meshes do not match.
@@ -176,4 +176,4 @@ TEST(AnInterferenceOfPlace, BeginsWithZeroWhereVelocitiesJump) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::gap_field_test

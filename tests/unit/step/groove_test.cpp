@@ -14,7 +14,7 @@
 #include <tuple>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::groove_test {
 namespace {
 
 using test::Walk;
@@ -85,4 +85,4 @@ INSTANTIATE_TEST_SUITE_P(Any, Groove,
                                           testing::Values(3.0, 30.0, 100.0)));
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::groove_test

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string>
 
-namespace rubato::step {
+namespace rubato::step::hopping_test {
 namespace {
 
 using test::Walk;
@@ -121,4 +121,4 @@ time: {step: 1e-3, end: 1}
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::hopping_test

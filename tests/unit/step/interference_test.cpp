@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::interference_test {
 namespace {
 
 using deck::Setting;
@@ -177,4 +177,4 @@ TEST(AnInterference, GivesABodyInMotionJustItsWork) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::interference_test

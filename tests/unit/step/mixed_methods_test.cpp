@@ -10,7 +10,7 @@
 #include <string>
 #include <tuple>
 
-namespace rubato::step {
+namespace rubato::step::mixed_methods_test {
 namespace {
 
 using test::Walk;
@@ -84,4 +84,4 @@ INSTANTIATE_TEST_SUITE_P(Every, ZonesBy,
                          });
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::mixed_methods_test

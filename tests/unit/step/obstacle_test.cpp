@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::obstacle_test {
 namespace {
 
 using Changes = std::vector<deck::Setting>;
@@ -356,4 +356,4 @@ time: {scheme: static, step: 1, end: 1}
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::obstacle_test

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::open_gaps_test {
 namespace {
 
 /// A plate on weak springs lies on two blocks, the right one of which is lower; its faces end nowhere at the
@@ -99,4 +99,4 @@ time: {scheme: static, step: 1, end: 1}
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::open_gaps_test

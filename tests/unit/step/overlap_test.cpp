@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::overlap_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -142,4 +142,4 @@ TEST_F(Overlapping, HoldInTheEndWhatTheOverlapGave) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::overlap_test

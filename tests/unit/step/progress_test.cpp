@@ -8,7 +8,7 @@
 #include "support/walk.hpp"
 #include <cmath>
 
-namespace rubato::step {
+namespace rubato::step::progress_test {
 namespace {
 
 using test::Walk;
@@ -140,4 +140,4 @@ TEST(InterruptedAttempt, IsNotRepeated) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::progress_test

@@ -10,7 +10,7 @@
 #include <set>
 #include <string>
 
-namespace rubato::step {
+namespace rubato::step::report_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -137,4 +137,4 @@ TEST(AStall, IsAResidualThatIsNotHalved) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::report_test

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::rigid_surface_test {
 namespace {
 
 using mesh::NodeIndex;
@@ -166,4 +166,4 @@ TEST(RigidSurface, IsNoSlave) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::rigid_surface_test

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::rotating_obstacle_test {
 namespace {
 
 using Changes = std::vector<deck::Setting>;
@@ -289,4 +289,4 @@ TEST(RollerByCentralDifferences, DragsTheBlockAndEntersItsWork) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::rotating_obstacle_test

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::self_contact_test {
 namespace {
 
 using deck::Setting;
@@ -261,4 +261,4 @@ time: {scheme: static, step: 0.05, end: 1}
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::self_contact_test

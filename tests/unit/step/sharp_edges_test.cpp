@@ -7,7 +7,7 @@
 #include "support/walk.hpp"
 #include <string>
 
-namespace rubato::step {
+namespace rubato::step::sharp_edges_test {
 namespace {
 
 /// A block of side 1 in the corner of bodies that are held whole, on meshes that do not match it; pressed by
@@ -113,4 +113,4 @@ TEST(SharpEdges, AreNotTied) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::sharp_edges_test

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::shrink_fit_test {
 namespace {
 
 using deck::Setting;
@@ -121,4 +121,4 @@ TEST(AShrinkFit, GainsNothingInTheLedger) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::shrink_fit_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <string>
 
-namespace rubato::step {
+namespace rubato::step::slow_iterations_test {
 namespace {
 
 using test::Walk;
@@ -98,4 +98,4 @@ TEST_P(Roller, DentsItsRaces) {
 INSTANTIATE_TEST_SUITE_P(Any, Roller, testing::Values("quad4", "tria3", "quad8", "tria6"));
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::slow_iterations_test

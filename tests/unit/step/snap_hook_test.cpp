@@ -9,7 +9,7 @@
 #include <numbers>
 #include <string>
 
-namespace rubato::step {
+namespace rubato::step::snap_hook_test {
 namespace {
 
 /// The cam is x: angle, y: radius; the arm ends at x = 31.
@@ -93,4 +93,4 @@ INSTANTIATE_TEST_SUITE_P(Of, SnapHook,
                                           testing::Values(0., 0.2)));
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::snap_hook_test

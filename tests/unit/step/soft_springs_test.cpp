@@ -13,7 +13,7 @@
 #include <string>
 #include <tuple>
 
-namespace rubato::step {
+namespace rubato::step::soft_springs_test {
 namespace {
 
 using test::Walk;
@@ -127,4 +127,4 @@ TEST_P(SprungRing, IsShrunkOnInFewIterations) {
 INSTANTIATE_TEST_SUITE_P(Any, SprungRing, testing::Values(1e-6, 1e-3, 1.0));
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::soft_springs_test

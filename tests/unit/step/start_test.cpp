@@ -10,7 +10,7 @@
 #include <cmath>
 #include <string>
 
-namespace rubato::step {
+namespace rubato::step::start_test {
 namespace {
 
 using test::Walk;
@@ -128,4 +128,4 @@ TEST(ContinuedState, OfAnEquilibriumStaysAtRestWithItsContactForces) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::start_test

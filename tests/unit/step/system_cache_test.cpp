@@ -6,7 +6,7 @@
 #include "support/decks.hpp"
 #include "support/walk.hpp"
 
-namespace rubato::step {
+namespace rubato::step::system_cache_test {
 namespace {
 
 /// Counts the matrices that are factored.
@@ -56,4 +56,4 @@ TEST(SystemCache, LetsGoOfTheLengthThatWasNotUsedForLongest) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::system_cache_test

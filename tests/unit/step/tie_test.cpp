@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::tie_test {
 namespace {
 
 using deck::Setting;
@@ -199,4 +199,4 @@ time: {scheme: static, step: 1, end: 1}
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::tie_test

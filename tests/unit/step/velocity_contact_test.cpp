@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::velocity_contact_test {
 namespace {
 
 using Changes = std::vector<deck::Setting>;
@@ -213,4 +213,4 @@ TEST(MoreauJean, GivesTheSameByEveryExactMethodWithoutFriction) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::velocity_contact_test

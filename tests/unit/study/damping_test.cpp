@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-namespace rubato::study {
+namespace rubato::study::damping_test {
 namespace {
 
 double ratio_at(const RayleighCoefficients& coefficients, double frequency) {
@@ -49,4 +49,4 @@ TEST(Damping, BoundsTheRatioAtTheHigherFrequency) {
 }
 
 } // namespace
-} // namespace rubato::study
+} // namespace rubato::study::damping_test

@@ -14,7 +14,7 @@
 #include <span>
 #include <string>
 
-namespace rubato::study {
+namespace rubato::study::fields_test {
 namespace {
 
 const std::string refused = "', expected a number or an expression of x, y, z and t: ";
@@ -153,4 +153,4 @@ TEST(AFieldOfAProgram, IsEchoedByItsName) {
 }
 
 } // namespace
-} // namespace rubato::study
+} // namespace rubato::study::fields_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rubato::study {
+namespace rubato::study::groups_test {
 namespace {
 
 MadeGroup union_of(const std::string& name, std::vector<std::string> of) {
@@ -40,4 +40,4 @@ TEST(KindsOfGroups, StandInTheOrderOfTheirValues) {
 }
 
 } // namespace
-} // namespace rubato::study
+} // namespace rubato::study::groups_test

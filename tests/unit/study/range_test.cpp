@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace rubato::study {
+namespace rubato::study::range_test {
 namespace {
 
 TEST(ARange, HasItsBoundsOrNot) {
@@ -40,4 +40,4 @@ TEST(ARange, IsToldByItsBounds) {
 }
 
 } // namespace
-} // namespace rubato::study
+} // namespace rubato::study::range_test

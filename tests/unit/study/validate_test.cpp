@@ -12,7 +12,7 @@
 #include <ostream>
 #include <string>
 
-namespace rubato::study {
+namespace rubato::study::validate_test {
 namespace {
 
 TEST(SoundStudy, KeepsEveryRuleWithAnOrthotropicMaterial) {
@@ -438,4 +438,4 @@ TEST(BrokenRules, AreAllToldAtOnce) {
 }
 
 } // namespace
-} // namespace rubato::study
+} // namespace rubato::study::validate_test

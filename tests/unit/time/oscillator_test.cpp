@@ -10,7 +10,7 @@
 #include <complex>
 #include <numbers>
 
-namespace rubato::time {
+namespace rubato::time::oscillator_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -179,4 +179,4 @@ TEST(Amplification, OfAllFamiliesAgreesWhereTheyAreOneScheme) {
 }
 
 } // namespace
-} // namespace rubato::time
+} // namespace rubato::time::oscillator_test

@@ -7,7 +7,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace rubato::time {
+namespace rubato::time::scheme_test {
 namespace {
 
 void expect_weights(const Weights& weights, double now, double before) {
@@ -186,4 +186,4 @@ TEST(Step, HasTheEffectiveMatrixOfItsScheme) {
 }
 
 } // namespace
-} // namespace rubato::time
+} // namespace rubato::time::scheme_test

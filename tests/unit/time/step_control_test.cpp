@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-namespace rubato::time {
+namespace rubato::time::step_control_test {
 namespace {
 
 using Instants = std::vector<double>;
@@ -330,4 +330,4 @@ TEST(StepControl, CutsAStepOfVaryingLengthAndGoesOnFromItsPlace) {
 }
 
 } // namespace
-} // namespace rubato::time
+} // namespace rubato::time::step_control_test

@@ -9,7 +9,7 @@
 #include <functional>
 #include <random>
 
-namespace rubato {
+namespace rubato::dual_test {
 namespace {
 
 using namespace contact::mortar;
@@ -266,4 +266,4 @@ TEST(LeastGaps, ChangeAsTheyAreLinearised) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::dual_test

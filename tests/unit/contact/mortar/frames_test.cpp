@@ -7,7 +7,7 @@
 #include "unit/contact/mortar/surfaces.hpp"
 #include <numbers>
 
-namespace rubato {
+namespace rubato::frames_test {
 namespace {
 
 using namespace contact::mortar;
@@ -108,4 +108,4 @@ TEST(SharpEdges, AreFoundAboveSixtyDegrees) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::frames_test

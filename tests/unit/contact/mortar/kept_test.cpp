@@ -4,7 +4,7 @@
 #include "unit/contact/mortar/surfaces.hpp"
 #include <numeric>
 
-namespace rubato {
+namespace rubato::kept_test {
 namespace {
 
 using namespace contact::mortar;
@@ -130,4 +130,4 @@ TEST(NodesThatNeverMeet, HaveNoWeightAndNoHeirs) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::kept_test

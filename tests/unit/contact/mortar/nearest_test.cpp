@@ -5,7 +5,7 @@
 #include "unit/contact/mortar/surfaces.hpp"
 #include <algorithm>
 
-namespace rubato {
+namespace rubato::nearest_test {
 namespace {
 
 using namespace contact::mortar;
@@ -125,4 +125,4 @@ INSTANTIATE_TEST_SUITE_P(Faces, EveryFace,
                          [](const auto& test) { return test::name_of(test.param); });
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::nearest_test

@@ -5,7 +5,7 @@
 
 #include "unit/contact/mortar/surfaces.hpp"
 
-namespace rubato {
+namespace rubato::obstacle_mortar_test {
 namespace {
 
 using namespace contact::mortar;
@@ -118,4 +118,4 @@ TEST(MortarBeforeAnObstacle, HasAGapWhoseSlopeIsTheRowToSecondOrderInTheFace) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::obstacle_mortar_test

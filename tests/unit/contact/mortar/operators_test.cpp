@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-namespace rubato {
+namespace rubato::operators_test {
 namespace {
 
 using namespace contact::mortar;
@@ -321,4 +321,4 @@ TEST(MortarOperators, StandFacesWithoutAreaAndCrushedOnes) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::operators_test

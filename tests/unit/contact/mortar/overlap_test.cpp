@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <random>
 
-namespace rubato {
+namespace rubato::overlap_test {
 namespace {
 
 using namespace contact::mortar;
@@ -227,4 +227,4 @@ TEST(Overlaps, OutOfReachAreNone) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::overlap_test

@@ -7,7 +7,7 @@
 #include <array>
 #include <random>
 
-namespace rubato {
+namespace rubato::plane_map_test {
 namespace {
 
 using namespace contact;
@@ -113,4 +113,4 @@ INSTANTIATE_TEST_SUITE_P(Faces, PlaneMapOf, testing::ValuesIn(faces),
                          [](const auto& chosen) { return std::string(cell::topology(chosen.param).name); });
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::plane_map_test

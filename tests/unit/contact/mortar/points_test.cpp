@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato {
+namespace rubato::points_test {
 namespace {
 
 using contact::mortar::least_kept_share;
@@ -130,4 +130,4 @@ TEST(ClampedEnds, AreNotTheNodesOfASurfaceThatIsClampedWhole) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::points_test

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <vector>
 
-namespace rubato::contact::mortar {
+namespace rubato::contact::mortar::reach_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -82,4 +82,4 @@ TEST_F(ReachOfTwoRows, GoesNoDeeperThanTheSagOfFacetsBehindAMasterThatIsAhead) {
 }
 
 } // namespace
-} // namespace rubato::contact::mortar
+} // namespace rubato::contact::mortar::reach_test

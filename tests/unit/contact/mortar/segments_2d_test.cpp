@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-namespace rubato::contact::mortar {
+namespace rubato::contact::mortar::segments_2d_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -87,4 +87,4 @@ TEST(LineOverlaps, FindMastersWhereTheDirectionOfProjectionSays) {
 }
 
 } // namespace
-} // namespace rubato::contact::mortar
+} // namespace rubato::contact::mortar::segments_2d_test

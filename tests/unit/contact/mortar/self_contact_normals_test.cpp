@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-namespace rubato {
+namespace rubato::self_contact_normals_test {
 namespace {
 
 using namespace contact::mortar;
@@ -165,4 +165,4 @@ TEST(TheMeanNormalOfANode, FitsTheNormalOfThePlaceItPointsAt) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::self_contact_normals_test

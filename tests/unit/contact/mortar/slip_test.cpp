@@ -7,7 +7,7 @@
 #include "unit/contact/mortar/surfaces.hpp"
 #include <numbers>
 
-namespace rubato {
+namespace rubato::slip_test {
 namespace {
 
 using namespace contact::mortar;
@@ -93,4 +93,4 @@ TEST(Slip, BeforeAnObstacleThatMovesIsCountedFromItsMotion) {
 }
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::slip_test

@@ -13,7 +13,7 @@
 #include <optional>
 #include <string>
 
-namespace rubato::step {
+namespace rubato::step::cycle_detector_test {
 namespace {
 
 using contact::Status;
@@ -137,4 +137,4 @@ TEST(Cycles, AreNoneWhereTheStepStartsFromTheGuess) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::cycle_detector_test

@@ -8,7 +8,7 @@
 #include "support/walk.hpp"
 #include <string>
 
-namespace rubato::step {
+namespace rubato::step::effective_system_test {
 namespace {
 
 /// The coefficients of a whole step and of a part so short that inertia outweighs stiffness.
@@ -44,4 +44,4 @@ TEST(CutSteps, HaveAugmentationsOfTheirOwn) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::effective_system_test

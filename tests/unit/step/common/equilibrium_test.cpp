@@ -7,7 +7,7 @@
 #include "support/model_of.hpp"
 #include "unit/step/any_state.hpp"
 
-namespace rubato::step {
+namespace rubato::step::equilibrium_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -109,4 +109,4 @@ time: {scheme: static, step: 1, end: 1}
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::equilibrium_test

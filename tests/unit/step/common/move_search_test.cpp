@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::move_search_test {
 namespace {
 
 struct Tried {
@@ -52,4 +52,4 @@ TEST(SearchAlongAMove, KnowsNothingOfPartsWhereACellHasNoForces) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::move_search_test

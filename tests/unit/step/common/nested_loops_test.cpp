@@ -12,7 +12,7 @@
 #include <limits>
 #include <string>
 
-namespace rubato::step {
+namespace rubato::step::nested_loops_test {
 namespace {
 
 using test::Walk;
@@ -194,4 +194,4 @@ TEST(NodalMethods, PutOneUnweightedRelationOnEverySlaveNode) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::nested_loops_test

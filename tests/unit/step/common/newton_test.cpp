@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rubato::step {
+namespace rubato::step::newton_test {
 namespace {
 
 using test::Walk;
@@ -149,4 +149,4 @@ INSTANTIATE_TEST_SUITE_P(Normals, SameBeams,
                                          Changes{{"contact.interface.normal", "average"}}),
                          [](const auto& instance) { return instance.param.front().value; });
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::newton_test

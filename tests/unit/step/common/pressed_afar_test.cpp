@@ -8,7 +8,7 @@
 #include <numbers>
 #include <optional>
 
-namespace rubato::step {
+namespace rubato::step::pressed_afar_test {
 namespace {
 
 /// Two blocks by mortar before the first step, one slave node of which presses.
@@ -57,4 +57,4 @@ TEST_F(APressingNode, IsOfNoConcernWhereItDoesNotPress) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::pressed_afar_test

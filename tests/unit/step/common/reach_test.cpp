@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace rubato::step {
+namespace rubato::step::reach_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -38,4 +38,4 @@ TEST(Reach, WithoutEndTakesEveryMove) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::reach_test

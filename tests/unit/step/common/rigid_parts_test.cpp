@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::rigid_parts_test {
 namespace {
 
 using Eigen::Index;
@@ -164,4 +164,4 @@ TEST(RigidParts, LeaveOutBodiesThatSupportsAtRestHold) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::rigid_parts_test

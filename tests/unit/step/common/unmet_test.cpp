@@ -7,7 +7,7 @@
 #include "support/decks.hpp"
 #include "support/walk.hpp"
 
-namespace rubato::step {
+namespace rubato::step::unmet_test {
 namespace {
 
 /// A block on a plane after one step, and its contact there, which tests spoil.
@@ -151,4 +151,4 @@ TEST(ALoopThatComesToNoEnd, IsNamedWithItsLastChange) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::unmet_test

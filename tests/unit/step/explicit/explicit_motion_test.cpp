@@ -10,7 +10,7 @@
 #include <numbers>
 #include <string>
 
-namespace rubato::step {
+namespace rubato::step::explicit_motion_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -238,4 +238,4 @@ TEST(AStableStep, IsShorterWithStifferContact) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::explicit_motion_test

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::nonlinear_motion_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -338,4 +338,4 @@ TEST(ExplicitNonlinear, RefusesAStartInsideOut) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::nonlinear_motion_test

@@ -11,7 +11,7 @@
 #include <random>
 #include <set>
 
-namespace rubato::step {
+namespace rubato::step::linear_step_test {
 namespace {
 
 using contact::ContactSystem;
@@ -171,4 +171,4 @@ TEST(UnknownsOfSurfaces, OfSeveralZonesStandOnce) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::linear_step_test

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace rubato::step {
+namespace rubato::step::whole_system_test {
 namespace {
 
 using contact::Status;
@@ -174,4 +174,4 @@ TEST(AWholeSystem, TellsWhatIsNotMetWhereItEndsTooSoon) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::whole_system_test

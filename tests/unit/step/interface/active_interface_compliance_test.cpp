@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::active_interface_compliance_test {
 namespace {
 
 using Eigen::Index;
@@ -181,4 +181,4 @@ TEST(RowsOfAPoint, AreFilledUpWithZeros) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::active_interface_compliance_test

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::active_point_test {
 namespace {
 
 using Eigen::Index;
@@ -225,4 +225,4 @@ TEST(EquationsThatSayTheSame, AreLeftAsTheyAre) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::active_point_test

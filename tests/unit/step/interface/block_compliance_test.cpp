@@ -10,7 +10,7 @@
 #include <numeric>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::block_compliance_test {
 namespace {
 
 using Eigen::Index;
@@ -52,4 +52,4 @@ TEST(BlockCompliance, IsTheSameWhereWhatWasKnownIsForgottenForItsMemory) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::block_compliance_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rubato::step {
+namespace rubato::step::bulk_history_test {
 namespace {
 
 using contact::Status;
@@ -88,4 +88,4 @@ TEST(BulkHistory, KnowsWhetherMovesAreSteadilySlow) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::bulk_history_test

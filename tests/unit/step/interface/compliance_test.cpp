@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::compliance_test {
 namespace {
 
 using test::compliance_of_two_blocks;
@@ -275,4 +275,4 @@ TEST_F(RelatedCompliance, LeavesBodiesApartThatNoRelationTies) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::compliance_test

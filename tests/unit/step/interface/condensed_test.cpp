@@ -11,7 +11,7 @@
 #include "support/decks.hpp"
 #include <string>
 
-namespace rubato {
+namespace rubato::condensed_test {
 namespace {
 
 std::string beams(const std::string& cells, const std::string& contact) {
@@ -143,4 +143,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& variant) { return variant.param.name; });
 
 } // namespace
-} // namespace rubato
+} // namespace rubato::condensed_test

@@ -12,7 +12,7 @@
 #include <random>
 #include <utility>
 
-namespace rubato::step {
+namespace rubato::step::contact_predictor_test {
 namespace {
 
 using Eigen::Index;
@@ -235,4 +235,4 @@ TEST_F(PushedBlock, FindsTheSameForcesAgain) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::contact_predictor_test

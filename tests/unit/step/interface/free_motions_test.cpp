@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rubato::step {
+namespace rubato::step::free_motions_test {
 namespace {
 
 using Eigen::Index;
@@ -123,4 +123,4 @@ TEST(FreeMotions, AreNoneWhereTheyDependOnOneAnother) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::free_motions_test

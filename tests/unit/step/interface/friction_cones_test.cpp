@@ -6,7 +6,7 @@
 
 #include <random>
 
-namespace rubato::step {
+namespace rubato::step::friction_cones_test {
 namespace {
 
 using Eigen::Index;
@@ -114,4 +114,4 @@ TEST(FrictionCones, PointsOfASoftlyHeldBodyFulfilCoulombsLaw) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::friction_cones_test

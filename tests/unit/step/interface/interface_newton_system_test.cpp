@@ -10,7 +10,7 @@
 #include <numeric>
 #include <random>
 
-namespace rubato::step {
+namespace rubato::step::interface_newton_system_test {
 namespace {
 
 using contact::FactoredResponse;
@@ -425,4 +425,4 @@ TEST(ActiveInterfaceCompliance, TakesMoreAndKeepsWhatItHas) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::interface_newton_system_test

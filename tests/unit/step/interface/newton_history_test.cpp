@@ -6,7 +6,7 @@
 
 #include <utility>
 
-namespace rubato::step {
+namespace rubato::step::newton_history_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -98,4 +98,4 @@ TEST(NewtonHistory, LeavesACorrectionThatRepeatsItselfAlone) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::newton_history_test

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::nodal_pcg_test {
 namespace {
 
 using Changes = std::vector<deck::Setting>;
@@ -147,4 +147,4 @@ TEST(NodalPcgOfBeams, TakesOneIterationARoundOfTheGeometry) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::nodal_pcg_test

@@ -7,7 +7,7 @@
 #include <array>
 #include <random>
 
-namespace rubato::step {
+namespace rubato::step::normal_problem_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -119,4 +119,4 @@ TEST(ANormalProblem, EndsWhenItsPulseStops) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::normal_problem_test

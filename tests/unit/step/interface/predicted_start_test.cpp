@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::step {
+namespace rubato::step::predicted_start_test {
 namespace {
 
 using contact::Status;
@@ -209,4 +209,4 @@ TEST(ReachOfSurfaces, IsHalfTheFinestEdgeWhereBodiesAreFree) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::predicted_start_test

@@ -8,7 +8,7 @@
 #include "support/walk.hpp"
 #include <cmath>
 
-namespace rubato::step {
+namespace rubato::step::predictor_points_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -95,4 +95,4 @@ TEST_F(PointsOfBeams, LoseTheirForceWithTheirMaster) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::predictor_points_test

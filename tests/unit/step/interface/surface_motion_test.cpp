@@ -10,7 +10,7 @@
 #include "support/walk.hpp"
 #include <random>
 
-namespace rubato::step {
+namespace rubato::step::surface_motion_test {
 namespace {
 
 using Eigen::Index;
@@ -144,4 +144,4 @@ TEST_F(SurfacesOfBeams, TakeAPartOfAMoveWithTheForcesOfTheWhole) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::surface_motion_test

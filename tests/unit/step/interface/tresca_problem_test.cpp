@@ -7,7 +7,7 @@
 
 #include <random>
 
-namespace rubato::step {
+namespace rubato::step::tresca_problem_test {
 namespace {
 
 using Eigen::Index;
@@ -111,4 +111,4 @@ TEST(TrescaSweeps, LeavePointsThatNothingMoves) {
 }
 
 } // namespace
-} // namespace rubato::step
+} // namespace rubato::step::tresca_problem_test
