@@ -13,9 +13,8 @@ CCACHE := $(shell command -v ccache)
 LAUNCHER := $(if $(CCACHE),-DCMAKE_CXX_COMPILER_LAUNCHER=$(CCACHE))
 SCRATCH := build/installed
 SOURCES = $(shell find src apps python tests bench -name '*.hpp' -o -name '*.cpp' 2>/dev/null)
-TIDY_SOURCES = $(shell find src apps -name '*.cpp')
 
-.PHONY: help deps configure build demo picture test test-mpi installed-test debug-test verify figures bench deb deb-test site format lint clean
+.PHONY: help deps configure build build-profile demo picture test test-mpi installed-test debug-test verify figures bench deb deb-test site format lint clean
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
 
@@ -29,10 +28,13 @@ configure:
 	@cmake --preset release -DRUBATO_UNITY=$(UNITY) $(LAUNCHER)
 
 build: configure ## build/release/rubato
-	@cmake --build --preset release -j$(JOBS)
+	@cmake/build --preset release -j$(JOBS)
+
+build-profile: ## what the last build spent its time on: ten objects, ten headers
+	@cmake/build-profile build/release
 
 demo: deps configure ## two beams rub: tip history and checks
-	@cmake --build --preset release -j$(JOBS) --target rubato_cli
+	@cmake/build --preset release -j$(JOBS) --target rubato_cli
 	build/release/rubato run cases/sdnl140/f.yaml --only evol1 -o out/demo
 	@printf '\nout/demo/evol1/probes.csv, the tip of the upper beam [s, m]:\n'
 	@awk -F, '{for (i = 1; i <= NF; ++i) printf "%-24s", $$i; print ""}' out/demo/evol1/probes.csv
@@ -103,9 +105,8 @@ format: ## clang-format every source
 lint: ## clang-format and clang-tidy find nothing to say
 	@clang-format --dry-run -Werror $(SOURCES)
 	@cmake -E make_directory build
-	@cmake --preset release -B build/lint -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON > build/lint.log # GCC's are not Clang's
-	@printf '%s\n' $(TIDY_SOURCES) | xargs -P$(JOBS) -n1 $(CLANG_TIDY) --quiet -p build/lint 2> build/lint.log \
-	  || { cat build/lint.log; false; }
+	@cmake --preset release -B build/lint -DRUBATO_UNITY=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON > build/lint.log # GCC's are not Clang's
+	@CLANG_TIDY=$(CLANG_TIDY) cmake/tidy build/lint $(JOBS)
 
 clean: ## forget everything built
 	@cmake -E rm -rf build

@@ -8,10 +8,10 @@
 #include "rubato/cell/quadrature.hpp"
 #include "rubato/domain/assembly.hpp"
 
-#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include "support/bulk_cells.hpp"
+#include "support/dense.hpp"
 #include "support/dirichlet.hpp"
 #include "support/patch_mesh.hpp"
 #include <cmath>
@@ -89,9 +89,9 @@ protected:
       for (Index i = 0; i < count; ++i)
         x.col(i) = mesh.points[static_cast<std::size_t>(nodes[static_cast<std::size_t>(i)])];
       const MatrixXd jacobian = x.topRows(d_) * dn.transpose();
-      const MatrixXd n_xi = jacobian.inverse().transpose() * dn;
+      const MatrixXd n_xi = test::inverse(jacobian).transpose() * dn;
       SpacePoint point{x * n, 0., n, MatrixXd(material::strain_size(physics_), d_ * count)};
-      point.volume = weight * jacobian.determinant() * element::measure(section_, point.x[0]);
+      point.volume = weight * test::determinant(jacobian) * element::measure(section_, point.x[0]);
       for (Index i = 0; i < count; ++i)
         for (int a = 0; a < d_; ++a) {
           Matrix3d h = Matrix3d::Zero();

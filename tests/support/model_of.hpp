@@ -2,6 +2,7 @@
 /// The model of a deck.
 #pragma once
 
+#include "rubato/core/error.hpp"
 #include "rubato/deck/read.hpp"
 #include "rubato/model/model.hpp"
 
@@ -10,9 +11,14 @@
 
 namespace rubato::test {
 
-/// Of its first run.
+/// The model of a deck's first run. Throws InputError with the places of the deck.
 inline model::Model model_of(std::string_view deck, const std::vector<deck::Setting>& changes = {}) {
-  return model::build_model(deck::parse_deck(deck, "deck.yaml", changes).runs.front());
+  const auto read = deck::parse_deck(deck, "deck.yaml", changes);
+  try {
+    return model::build_model(read.runs.front());
+  } catch (const InputError& error) {
+    throw read.places.front().located(error);
+  }
 }
 
 } // namespace rubato::test

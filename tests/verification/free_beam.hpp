@@ -4,8 +4,9 @@
 
 #include "rubato/run/time_loop.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
+#include "support/dense.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/walk.hpp"
 #include <algorithm>
@@ -34,9 +35,9 @@ inline Mode first_mode(const model::Model& model) {
   const auto& free = model.reduction.free_dofs();
   const MatrixXd k = MatrixXd(model.domain.initial_tangent())(free, free);
   const MatrixXd m = MatrixXd(model.mass)(free, free);
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(k, m);
-  Mode mode{std::sqrt(modes.eigenvalues()[0]), VectorXd::Zero(model.dofs.dof_count)};
-  mode.mass_times_shape(free) = m * modes.eigenvectors().col(0);
+  const auto modes = test::general_modes(k, m);
+  Mode mode{std::sqrt(modes.values[0]), VectorXd::Zero(model.dofs.dof_count)};
+  mode.mass_times_shape(free) = m * modes.vectors.col(0);
   return mode;
 }
 
@@ -87,7 +88,7 @@ inline std::complex<double> measured_amplification(const std::vector<double>& q)
     left.row(i - first) << q[k + 1], -q[k];
     right[i - first] = q[k + 2];
   }
-  const Eigen::Vector2d sd = left.colPivHouseholderQr().solve(right);
+  const Eigen::Vector2d sd = test::least_squares(left, right);
   return {sd[0] / 2, std::sqrt(sd[1] - sd[0] * sd[0] / 4)};
 }
 
@@ -107,7 +108,7 @@ inline Eigen::Matrix3d amplification(double alpha_m, double alpha_f, double beta
 
 /// The root that is the motion: the one of largest angle; the third is spurious and real.
 inline std::complex<double> principal(const Eigen::Matrix3d& matrix) {
-  const Eigen::Vector3cd values = matrix.eigenvalues();
+  const Eigen::Vector3cd values = test::eigenvalues(matrix);
   Eigen::Index index = 0;
   values.imag().maxCoeff(&index);
   return values[index];

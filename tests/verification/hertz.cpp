@@ -3,8 +3,9 @@
 
 #include "rubato/model/model.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
+#include "support/dense.hpp"
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -76,7 +77,7 @@ HertzLine fitted_ellipse(const std::vector<SurfacePoint>& points) {
     sides.row(i) << 1, std::pow(point.x - centre, 2);
     squares[i] = point.pressure * point.pressure;
   }
-  const Eigen::Vector2d fit = sides.colPivHouseholderQr().solve(squares);
+  const Eigen::Vector2d fit = test::least_squares(sides, squares);
   return {std::sqrt(-fit[0] / fit[1]), std::sqrt(fit[0])};
 }
 

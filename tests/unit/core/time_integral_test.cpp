@@ -57,7 +57,7 @@ TEST(TimeIntegral, OfATableIsExactFromPieceToPiece) {
 }
 
 TEST(TimeIntegral, OfATableKnowsWhatIsOutsideOfIt) {
-  using enum Function::Outside;
+  using enum LinearTable::Outside;
   const auto at_ends = [](Function::Outside outside) {
     const Function table({1, 2}, {1, 2}, outside);
     const auto once = integral(table, 1, 0, 3);

@@ -5,11 +5,11 @@
 // formulas in another language.
 #include "rubato/element/nonlinear.hpp"
 
-#include <Eigen/SparseCholesky>
 #include <gtest/gtest.h>
 
 #include "point_test_laws.hpp"
 #include "support/bulk_cells.hpp"
+#include "support/dense.hpp"
 #include <array>
 #include <functional>
 #include <numbers>
@@ -103,7 +103,7 @@ public:
         old_ = now_;
         return i;
       }
-      u += Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix_).solve(residual);
+      u += test::sparse_solution(matrix_, residual);
     }
     return -1;
   }

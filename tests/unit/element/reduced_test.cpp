@@ -2,12 +2,12 @@
 // Cells of one point; what they share with the others is tested beside these (nonlinear_test.cpp).
 #include "rubato/element/nonlinear/hourglass_control.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "kind_cases.hpp"
 #include "point_test_laws.hpp"
+#include "support/dense.hpp"
 #include <cmath>
 #include <numbers>
 
@@ -45,8 +45,7 @@ OneCell reduced_cell(const Family& family, StrainKind strain = StrainKind::small
 
 Eigen::Index motions_without_stiffness(OneCell cell) {
   EXPECT_TRUE(cell.evaluate(VectorXd::Zero(cell.dofs)));
-  const VectorXd values =
-      Eigen::SelfAdjointEigenSolver<MatrixXd>(cell.tangent, Eigen::EigenvaluesOnly).eigenvalues();
+  const VectorXd values = test::symmetric_eigenvalues(cell.tangent);
   return (values.array().abs() < 1e-12 * values.maxCoeff()).count();
 }
 

@@ -4,9 +4,10 @@
 #include "rubato/linalg/petsc_module.hpp"
 #include "rubato/linalg/ranked_factor.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <gtest/gtest.h>
 
+#include "support/dense.hpp"
 #include "unit/linalg/elastic_block.hpp"
 #include "unit/linalg/matrices_beside.hpp"
 #include "unit/linalg/random_vector.hpp"
@@ -35,7 +36,7 @@ protected:
     surface_ = {last, 5, last - 7, 30, 31};
     factor_ = RankedFactor::of(matrix_, surface_, join_ranks(), {});
     ASSERT_NE(factor_, nullptr);
-    inverse_ = MatrixXd(matrix_).inverse();
+    inverse_ = test::inverse(matrix_);
   }
 
   VectorXd expected(const VectorXd& right_side) const { return inverse_ * right_side; }

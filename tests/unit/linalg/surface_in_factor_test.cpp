@@ -3,9 +3,10 @@
 #include "rubato/linalg/split_factor.hpp"
 #include "rubato/linalg/surface_in_factor.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <gtest/gtest.h>
 
+#include "support/dense.hpp"
 #include "unit/linalg/elastic_block.hpp"
 #include "unit/linalg/random_vector.hpp"
 #include <algorithm>
@@ -106,7 +107,7 @@ TEST_P(SurfaceWithinABody, MovesByItsComplianceTimesForces) {
 
 TEST_P(SurfaceWithinABody, HasTheComplianceOfWholeSolvesBlockByBlock) {
   ASSERT_TRUE(factor_);
-  const MatrixXd inverse = MatrixXd(matrix_).inverse();
+  const MatrixXd inverse = test::inverse(matrix_);
   const auto& surface = *factor_->surface_within(0);
   const auto& starts = surface.block_starts();
   const std::vector<int> unknowns(factor_->surface().begin(), factor_->surface().begin() + surface.size());
@@ -129,7 +130,7 @@ TEST_P(SurfaceWithinABody, HasTheComplianceOfWholeSolvesBlockByBlock) {
 
 TEST_P(SurfaceWithinABody, HasTheComplianceOfWholeSolvesInOne) {
   ASSERT_TRUE(factor_);
-  const MatrixXd inverse = MatrixXd(matrix_).inverse();
+  const MatrixXd inverse = test::inverse(matrix_);
   for (std::size_t body = 0; body < 2; ++body) {
     const auto* surface = factor_->surface_within(body);
     if (!surface)
@@ -160,7 +161,7 @@ TEST_P(SurfaceWithinABody, TakesForcesTogether) {
   const Index last = surface.size();
   const std::vector<int> unknowns(factor_->surface().begin(), factor_->surface().begin() + last);
   const MatrixXd of_body = MatrixXd(forces).topRows(last);
-  const MatrixXd expected = of_body.transpose() * MatrixXd(matrix_).inverse()(unknowns, unknowns) * of_body;
+  const MatrixXd expected = of_body.transpose() * test::inverse(matrix_)(unknowns, unknowns) * of_body;
   const MatrixXd found = surface.between(forces, 0);
   EXPECT_EQ(found, found.transpose());
   EXPECT_LE((found - expected).norm(), 1e-11 * expected.norm());

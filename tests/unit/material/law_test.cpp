@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/material/law.hpp"
 
-#include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
+#include "support/dense.hpp"
 #include <random>
 
 namespace rubato::material::law_test {
@@ -57,7 +57,7 @@ TEST(LinearElasticity, HasASymmetricPositiveDefiniteTangent) {
   for (const auto physics : all_physics) {
     const Eigen::MatrixXd d = tangent(rubbery, physics);
     EXPECT_EQ(d, d.transpose());
-    EXPECT_EQ(d.llt().info(), Eigen::Success);
+    EXPECT_TRUE(test::is_positive_definite(d));
   }
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/material/law.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include "support/dense.hpp"
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -83,7 +83,7 @@ TEST(OrthotropicElasticity, HasASymmetricPositiveDefiniteTangent) {
     const Eigen::MatrixXd d =
         tangent(make_orthotropic(turned(20, solid ? 50 : 0, solid ? -70 : 0), 0), physics);
     EXPECT_EQ(d, d.transpose());
-    EXPECT_EQ(d.llt().info(), Eigen::Success);
+    EXPECT_TRUE(test::is_positive_definite(d));
   }
 }
 

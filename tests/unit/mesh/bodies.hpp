@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace rubato::mesh::test {
+namespace rubato::test {
 
 inline const std::vector<CellType> plane_types{CellType::tria3, CellType::tria6, CellType::tria7,
                                                CellType::quad4, CellType::quad8, CellType::quad9};
@@ -129,4 +129,4 @@ inline int free_node_count(const Mesh& mesh) {
   return static_cast<int>(std::ranges::count(used, false));
 }
 
-} // namespace rubato::mesh::test
+} // namespace rubato::test

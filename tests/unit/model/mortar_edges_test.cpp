@@ -55,7 +55,7 @@ TEST(EdgesInMortarZones, AreOfNoConcernOnNodesOrWithFrozenGeometry) {
   const auto on_nodes = model_of(test::two_blocks);
   EXPECT_TRUE(edges_in_mortar_zones(on_nodes.zones, with_kink(on_nodes, 45)).empty());
   auto settings = by_mortar;
-  settings.emplace_back("contact.interface.freeze", "true");
+  settings.push_back({"contact.interface.freeze", "true"});
   const auto frozen = model_of(test::two_blocks, settings);
   EXPECT_TRUE(edges_in_mortar_zones(frozen.zones, with_kink(frozen, 45)).empty());
 }

@@ -5,6 +5,7 @@
 #include "rubato/deck/read.hpp"
 #include "rubato/model/model.hpp"
 
+#include "support/model_of.hpp"
 #include "support/two_blocks.hpp"
 #include <string>
 #include <string_view>
@@ -13,16 +14,6 @@ namespace rubato::test {
 
 inline study::Study study_of(std::string_view deck) {
   return deck::parse_deck(deck, "deck.yaml").runs.front();
-}
-
-/// Throws InputError with the places of the deck.
-inline model::Model model_of(std::string_view deck) {
-  const auto read = deck::parse_deck(deck, "deck.yaml");
-  try {
-    return model::build_model(read.runs.front());
-  } catch (const InputError& error) {
-    throw read.places.front().located(error);
-  }
 }
 
 /// Sum over all nodes of the force in x, y, z.

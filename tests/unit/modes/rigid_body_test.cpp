@@ -2,9 +2,10 @@
 /// Modes of bodies that relations make rigid, against rigid dynamics.
 #include "rubato/modes/modes.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <gtest/gtest.h>
 
+#include "support/dense.hpp"
 #include "unit/modes/modal_model.hpp"
 #include <array>
 #include <cmath>
@@ -60,7 +61,7 @@ VectorXd squares_of_rigid_dynamics() {
       motion << Matrix3d::Identity(), -cross_matrix(Vector3d(x, 0, z) - sides / 2);
       k += motion.transpose() * spring.asDiagonal() * motion;
     }
-  return Eigen::GeneralizedSelfAdjointEigenSolver<Matrix6d>(k, m).eigenvalues();
+  return test::general_modes(k, m).values;
 }
 
 TEST(RigidBody, HasTheSixFrequenciesOfRigidDynamics) {

@@ -106,7 +106,7 @@ class ContactTables : public testing::TestWithParam<Kind> {};
 TEST_P(ContactTables, AddUpToResultantsAndTheLedger) {
   const test::ScratchFolder folder;
   auto settings = GetParam().settings;
-  settings.emplace_back("fields", "{every: 1, formats: [vtu]}");
+  settings.push_back({"fields", "{every: 1, formats: [vtu]}"});
   auto study = deck::parse_deck(GetParam().deck, "deck.yaml", settings).runs.front();
   ASSERT_EQ(run::run_study(study, folder.path(), {}).status, RunStatus::complete);
   const std::string zone = GetParam().zone;

@@ -3,10 +3,10 @@
 /// from the place where it was.
 #include "rubato/core/time_integral.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "support/dense.hpp"
 #include "support/walk.hpp"
 #include <algorithm>
 #include <cmath>
@@ -40,28 +40,29 @@ time: {}
 class SemidiscreteBar {
 public:
   SemidiscreteBar(const model::Model& model, const model::SparseMatrix& mass, double omega)
-      : model_(&model), modes_(MatrixXd(model.reduction.reduced(model.domain.initial_tangent())),
-                               MatrixXd(model.reduction.reduced(mass))),
+      : model_(&model),
+        modes_(test::general_modes(MatrixXd(model.reduction.reduced(model.domain.initial_tangent())),
+                                   MatrixXd(model.reduction.reduced(mass)))),
         omega_(omega) {
     VectorXd along = VectorXd::Zero(model.dofs.dof_count);
     for (const auto node : model.dofs.nodes)
       along[model.dofs.dof(node, 0)] = 1;
-    part_ = modes_.eigenvectors().transpose() * model.reduction.gather(mass * along);
+    part_ = modes_.vectors.transpose() * model.reduction.gather(mass * along);
   }
 
   VectorXd displacement(double t) const {
     VectorXd q(part_.size());
     for (Eigen::Index k = 0; k < q.size(); ++k) {
-      const double own = std::sqrt(modes_.eigenvalues()[k]);
+      const double own = std::sqrt(modes_.values[k]);
       q[k] = part_[k] * (std::sin(omega_ * t) - omega_ / own * std::sin(own * t)) /
              (own * own - omega_ * omega_);
     }
-    return model_->reduction.scatter(modes_.eigenvectors() * q);
+    return model_->reduction.scatter(modes_.vectors * q);
   }
 
 private:
   const model::Model* model_;
-  Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes_;
+  test::GeneralModes modes_;
   double omega_;
   VectorXd part_;
 };

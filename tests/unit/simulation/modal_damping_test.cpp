@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Damping of natural modes against Rayleigh's, where both are the same, and against one mode's closed form.
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include "support/dense.hpp"
 #include "support/faults.hpp"
 #include "support/walk.hpp"
 #include <cmath>
@@ -36,7 +36,7 @@ time: {}
 VectorXd angular_frequencies(const model::Model& model) {
   const MatrixXd k(model.reduction.reduced(model.domain.initial_tangent()));
   const MatrixXd m(model.reduction.reduced(model.mass));
-  return Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(k, m).eigenvalues().cwiseSqrt();
+  return test::general_modes(k, m).values.cwiseSqrt();
 }
 
 TEST(ModalDamping, IsRayleighDampingWhereRatiosFollowItsLaw) {
@@ -63,17 +63,17 @@ TEST(ModalDamping, LeavesOtherModesAlone) {
   const auto& model = walk.model;
   const MatrixXd k(model.reduction.reduced(model.domain.initial_tangent()));
   const MatrixXd m(model.reduction.reduced(model.mass));
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(k, m);
+  const auto modes = test::general_modes(k, m);
   const auto energy_of = [&](Eigen::Index mode) {
-    const VectorXd shape = model.reduction.scatter(modes.eigenvectors().col(mode));
+    const VectorXd shape = model.reduction.scatter(modes.vectors.col(mode));
     const double v = shape.dot(model.mass * walk.state().motion.v);
     const double u = shape.dot(model.mass * walk.state().motion.u);
-    return 0.5 * (v * v + modes.eigenvalues()[mode] * u * u);
+    return 0.5 * (v * v + modes.values[mode] * u * u);
   };
   const double first = energy_of(0);
   const double third = energy_of(2);
   ASSERT_TRUE(walk.to_end());
-  const double omega = std::sqrt(modes.eigenvalues()[0]);
+  const double omega = std::sqrt(modes.values[0]);
   EXPECT_NEAR(energy_of(0) / first, std::exp(-2 * 0.05 * omega * 0.4),
               0.06 * std::exp(-2 * 0.05 * omega * 0.4));
   EXPECT_NEAR(energy_of(2), third, 1e-8 * third);

@@ -2,9 +2,10 @@
 /// A mass on a spring: order of convergence, and the amplification matrix, which maps (u, h v, h² a) over a
 /// step, against its closed forms (T. J. R. Hughes, The Finite Element Method, ch. 9; J. Chung and
 /// G. M. Hulbert, J. Appl. Mech. 60, 1993). Ω = ω h.
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <gtest/gtest.h>
 
+#include "support/dense.hpp"
 #include "unit/time/schemes.hpp"
 #include <cmath>
 #include <complex>
@@ -26,12 +27,12 @@ Matrix3d amplification(const Scheme& scheme, double big_omega) {
 }
 
 double spectral_radius(const Matrix3d& matrix) {
-  return matrix.eigenvalues().cwiseAbs().maxCoeff();
+  return test::eigenvalues(matrix).cwiseAbs().maxCoeff();
 }
 
 /// The eigenvalue of the motion itself: the one of largest angle; the third is spurious and real.
 std::complex<double> principal(const Matrix3d& matrix) {
-  const Eigen::Vector3cd values = matrix.eigenvalues();
+  const Eigen::Vector3cd values = test::eigenvalues(matrix);
   Eigen::Index largest = 0;
   values.imag().maxCoeff(&largest);
   return values[largest];

@@ -254,8 +254,8 @@ TEST(LeastGaps, ChangeAsTheyAreLinearised) {
   constexpr double step = 1e-6;
   for (const auto& [high, gap] : cases) {
     const auto of = fitted(-1, high, gap);
-    const auto more = fitted(-1, high, [&](double xi) { return gap(xi) + step * change(xi); });
-    const auto less = fitted(-1, high, [&](double xi) { return gap(xi) - step * change(xi); });
+    const auto more = fitted(-1, high, [&, &gap = gap](double xi) { return gap(xi) + step * change(xi); });
+    const auto less = fitted(-1, high, [&, &gap = gap](double xi) { return gap(xi) - step * change(xi); });
     const Vector4d integral = (more.first_gap - less.first_gap) / (2 * step);
     for (std::size_t i = 0; i < 2; ++i) {
       const auto& by = of.changes[i];

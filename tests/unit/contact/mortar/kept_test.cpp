@@ -17,9 +17,10 @@ test::TwoSurfaces row_of_faces(CellType type, int faces, const std::vector<std::
                                     [&](double s, double) { return Vector3d(faces * s, 0, 0); });
   std::vector<contact::Face> master;
   for (const auto& [from, to] : pieces) {
-    const auto piece = test::add_grid(two.mesh, {.type = CellType::seg2}, [&](double s, double) {
-      return Vector3d(from + s * (to - from), 0, 0);
-    });
+    const auto piece =
+        test::add_grid(two.mesh, {.type = CellType::seg2}, [from = from, to = to](double s, double) {
+          return Vector3d(from + s * (to - from), 0, 0);
+        });
     master.insert(master.end(), piece.begin(), piece.end());
   }
   two.slave = contact::make_surface(two.mesh, slave);

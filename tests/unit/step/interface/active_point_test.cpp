@@ -2,9 +2,9 @@
 // A point's equations without its multipliers against those with them.
 #include "rubato/step/interface/active_point.hpp"
 
-#include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include "support/dense.hpp"
 #include <random>
 #include <string>
 #include <vector>
@@ -67,7 +67,7 @@ protected:
     both << r.d_du.middleRows(d, m), r.by_multiplier.bottomRows(m);
     VectorXd x = random_matrix(unknowns + m, 1);
     if (m > 0)
-      x -= both.transpose() * (both * both.transpose()).inverse() * (both * x + r.equations);
+      x -= both.transpose() * test::inverse(both * both.transpose()) * (both * x + r.equations);
     Changes changes{x.head(unknowns), x.tail(m), {}, {}};
     changes.z = r.d_du.topRows(d) * changes.q + r.by_multiplier.topRows(d) * changes.m;
     changes.xi = r.d_du.bottomRows(r.n_xi) * changes.q;
@@ -100,7 +100,7 @@ TEST_P(PointWith, HasAsManyEquationsLeftAsForces) {
   const Index d = point.components();
   MatrixXd both(d, d + unknowns);
   both << point.by_force, point.rows.left.topRows(d);
-  EXPECT_EQ(both.fullPivLu().rank(), d);
+  EXPECT_EQ(test::rank(both), d);
 }
 
 TEST_P(PointWith, FindsItsMultipliersAgain) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/dense.hpp"
 #include "support/model_of.hpp"
 #include <algorithm>
 #include <cmath>
@@ -46,7 +47,7 @@ TEST(SharesOfMotions, ChangeNothingWhereTheLinearisationLacksNothing) {
 }
 
 TEST(SharesOfMotions, FindTheIterateWhereMotionsAreResistedBeyondTheLinearisation) {
-  const MatrixXd of_motions = two_motions.transpose().completeOrthogonalDecomposition().pseudoInverse();
+  const MatrixXd of_motions = test::pseudo_inverse(two_motions.transpose());
   for (const double stiffness : {7.0, -0.9, -3.0}) {
     const MatrixXd missing = stiffness * two_motions * of_motions.transpose();
     const VectorXd next = next_iterate(missing);

@@ -2,9 +2,9 @@
 /// The points' linear system against the equations it stands for, with made-up points on two elastic blocks.
 #include "rubato/step/interface/interface_newton_system.hpp"
 
-#include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include "support/dense.hpp"
 #include "unit/linalg/elastic_block.hpp"
 #include <limits>
 #include <numeric>
@@ -58,7 +58,7 @@ struct Bulk {
 
   /// All but a few unknowns are on the surface; every unknown is its own dof.
   Bulk()
-      : s(MatrixXd(matrix).inverse()),
+      : s(test::inverse(matrix)),
         compliance(factored(), constraint::Reduction(static_cast<int>(matrix.rows()), {})) {}
   std::vector<int> numbers() const {
     std::vector<int> all(static_cast<std::size_t>(matrix.rows()));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/interface/newton_history.hpp"
 
-#include <Eigen/QR>
 #include <gtest/gtest.h>
 
+#include "support/dense.hpp"
 #include <utility>
 
 namespace rubato::step::newton_history_test {
@@ -27,7 +27,7 @@ struct Iterations {
 /// Most of an error is taken at once, a little of it slowly: growing, to and fro, not at all.
 Iterations with_slow_directions() {
   const MatrixXd directions = (MatrixXd(5, 3) << 1, 0, 0, 1, 1, 0, 0, 2, 1, 0, -1, 1, 1, 0, 3).finished();
-  const MatrixXd dual = directions.completeOrthogonalDecomposition().pseudoInverse();
+  const MatrixXd dual = test::pseudo_inverse(directions);
   const VectorXd parts = (VectorXd(3) << 1.1, -0.95, 0.999).finished();
   return {directions * parts.asDiagonal() * dual, VectorXd::LinSpaced(5, -1, 2)};
 }

@@ -3,10 +3,10 @@
 #include "rubato/step/advance.hpp"
 #include "rubato/step/interface/surface_motion.hpp"
 
-#include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
 #include "support/decks.hpp"
+#include "support/dense.hpp"
 #include "support/walk.hpp"
 #include <random>
 
@@ -33,8 +33,8 @@ protected:
   VectorXd moved_by(const VectorXd& residual, const VectorXd& force) const {
     VectorXd all = VectorXd::Zero(model_.dofs.dof_count);
     all(dofs()) = walk_.scheme.contact_weight() * force;
-    const Eigen::LLT<Eigen::MatrixXd> factor{Eigen::MatrixXd(system_.matrix)};
-    return model_.reduction.scatter(factor.solve(-residual - model_.reduction.gather(all)));
+    return model_.reduction.scatter(
+        test::dense_solution(system_.matrix, -residual - model_.reduction.gather(all)));
   }
   static void expect_near(const VectorXd& a, const VectorXd& b, double tolerance = 1e-9) {
     EXPECT_GT(b.norm(), 0);
