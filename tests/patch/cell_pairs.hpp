@@ -20,7 +20,7 @@ inline constexpr std::array solid_cells{CellType::hexa8,  CellType::hexa20,  Cel
 
 using CellPair = std::tuple<CellType, CellType>;
 
-inline std::string name_of(const testing::TestParamInfo<CellPair>& instance) {
+inline std::string name_of_pair(const testing::TestParamInfo<CellPair>& instance) {
   return std::string(cell::topology(std::get<0>(instance.param)).name) + "_on_" +
          std::string(cell::topology(std::get<1>(instance.param)).name);
 }

@@ -41,11 +41,11 @@ TEST_P(MortarBlocks, HandOnAUniformPressureWithFrictionHoweverTheyAreTurned) {
 INSTANTIATE_TEST_SUITE_P(Plane, MortarBlocks,
                          testing::Combine(testing::ValuesIn(test::plane_cells),
                                           testing::ValuesIn(test::plane_cells)),
-                         &test::name_of);
+                         &test::name_of_pair);
 INSTANTIATE_TEST_SUITE_P(Solid, MortarBlocks,
                          testing::Combine(testing::ValuesIn(test::solid_cells),
                                           testing::ValuesIn(test::solid_cells)),
-                         &test::name_of);
+                         &test::name_of_pair);
 
 } // namespace
 } // namespace rubato::mortar_patch_test

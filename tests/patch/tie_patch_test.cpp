@@ -144,11 +144,11 @@ TEST_P(Tied, BlocksHandOnAPressureBetweenSidesOfSymmetry) {
 INSTANTIATE_TEST_SUITE_P(Plane, Tied,
                          testing::Combine(testing::ValuesIn(test::plane_cells),
                                           testing::ValuesIn(test::plane_cells)),
-                         &test::name_of);
+                         &test::name_of_pair);
 INSTANTIATE_TEST_SUITE_P(Solid, Tied,
                          testing::Combine(testing::ValuesIn(test::solid_cells),
                                           testing::ValuesIn(test::solid_cells)),
-                         &test::name_of);
+                         &test::name_of_pair);
 
 } // namespace
 } // namespace rubato::tie_patch_test

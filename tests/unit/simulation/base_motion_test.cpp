@@ -161,7 +161,7 @@ double base_at(const std::string& motion, double t) {
 
 TEST_P(BothFrames, GiveTheSameMotion) {
   const auto& [name, time, motion, more, tolerance] = GetParam();
-  const auto in_frame = [&](const std::string& frame) {
+  const auto in_frame = [&, &time = time, &motion = motion, &more = more](const std::string& frame) {
     return test::model_of(bar(time, more + "base_motion: {x: " + motion + ", frame: " + frame + "}\n"));
   };
   Simulation relative(in_frame("relative"));

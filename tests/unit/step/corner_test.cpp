@@ -46,8 +46,8 @@ class InACorner : public testing::TestWithParam<std::tuple<const char*, const ch
 protected:
   static std::vector<deck::Setting> settings() {
     auto all = of_cells(std::get<0>(GetParam()));
-    all.emplace_back("contact.below.friction", std::get<1>(GetParam()));
-    all.emplace_back("contact.aside.friction", std::get<1>(GetParam()));
+    all.push_back({"contact.below.friction", std::get<1>(GetParam())});
+    all.push_back({"contact.aside.friction", std::get<1>(GetParam())});
     return all;
   }
 };
