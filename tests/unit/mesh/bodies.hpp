@@ -50,9 +50,9 @@ inline study::Body body_of(CellType type) {
   return body;
 }
 
-inline Mesh mesh_of(CellType type, int refine = 1) {
+inline mesh::Mesh mesh_of(CellType type, int refine = 1) {
   const auto body = body_of(type);
-  return generate({&body, 1}, refine);
+  return mesh::generate({&body, 1}, refine);
 }
 
 /// Two beams [0,1] × [−0.1,0] and [0,1] × [0,0.1] (× [0,0.1]) that touch with coincident, distinct nodes.
@@ -74,9 +74,9 @@ inline std::vector<study::Body> two_beams(CellType type) {
 }
 
 /// Measure of all bulk cells; every one must be positive for the sum to be returned.
-inline double bulk_measure(const Mesh& mesh) {
+inline double bulk_measure(const mesh::Mesh& mesh) {
   double sum = 0;
-  for (CellIndex cell = 0; cell < mesh.cell_count(); ++cell)
+  for (mesh::CellIndex cell = 0; cell < mesh.cell_count(); ++cell)
     if (cell::topology(mesh.type_of(cell)).dimension == mesh.dimension) {
       const double measure = signed_measure(mesh, cell);
       if (!(measure > 0))
@@ -86,15 +86,15 @@ inline double bulk_measure(const Mesh& mesh) {
   return sum;
 }
 
-inline double group_measure(const Mesh& mesh, const std::string& name) {
+inline double group_measure(const mesh::Mesh& mesh, const std::string& name) {
   const auto* group = mesh.cell_group(name);
   if (group == nullptr)
     return std::nan("");
   return std::accumulate(group->items.begin(), group->items.end(), 0.,
-                         [&](double sum, CellIndex cell) { return sum + signed_measure(mesh, cell); });
+                         [&](double sum, mesh::CellIndex cell) { return sum + signed_measure(mesh, cell); });
 }
 
-inline CellIndex count_of(const Mesh& mesh, CellType type) {
+inline mesh::CellIndex count_of(const mesh::Mesh& mesh, CellType type) {
   for (const auto& block : mesh.blocks)
     if (block.type == type)
       return block.cell_count();
@@ -102,18 +102,19 @@ inline CellIndex count_of(const Mesh& mesh, CellType type) {
 }
 
 /// How often each side of the bulk cells occurs: index 0 once, 1 twice, 2 more often.
-inline std::vector<int> side_multiplicities(const Mesh& mesh) {
-  CornerSets sides;
+inline std::vector<int> side_multiplicities(const mesh::Mesh& mesh) {
+  mesh::CornerSets sides;
   std::vector<int> counts;
-  for_each_cell(mesh, [&](CellIndex, const cell::CellTopology& shape, std::span<const NodeIndex> nodes) {
-    if (shape.dimension != mesh.dimension)
-      return;
-    for (const auto& side : shape.sides) {
-      const auto number = static_cast<std::size_t>(sides.insert(corner_set(nodes, side)));
-      counts.resize(std::max(counts.size(), number + 1), 0);
-      ++counts[number];
-    }
-  });
+  for_each_cell(
+      mesh, [&](mesh::CellIndex, const cell::CellTopology& shape, std::span<const mesh::NodeIndex> nodes) {
+        if (shape.dimension != mesh.dimension)
+          return;
+        for (const auto& side : shape.sides) {
+          const auto number = static_cast<std::size_t>(sides.insert(mesh::corner_set(nodes, side)));
+          counts.resize(std::max(counts.size(), number + 1), 0);
+          ++counts[number];
+        }
+      });
   std::vector<int> multiplicities(3, 0);
   for (const int count : counts)
     ++multiplicities[static_cast<std::size_t>(std::min(count, 3) - 1)];
@@ -121,7 +122,7 @@ inline std::vector<int> side_multiplicities(const Mesh& mesh) {
 }
 
 /// The number of nodes that no cell uses.
-inline int free_node_count(const Mesh& mesh) {
+inline int free_node_count(const mesh::Mesh& mesh) {
   std::vector<bool> used(mesh.points.size(), false);
   for (const auto& block : mesh.blocks)
     for (const auto node : block.nodes)
