@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace rubato::linalg::lu_factor_test {
+namespace rubato::linalg {
 
 /// What GoogleTest calls an engine.
 static void PrintTo(GeneralEngine engine, std::ostream* out) {
@@ -28,6 +28,9 @@ static void PrintTo(GeneralEngine engine, std::ostream* out) {
   }
 }
 
+} // namespace rubato::linalg
+
+namespace rubato::linalg::lu_factor_test {
 namespace {
 
 Eigen::MatrixXd random_matrix(Eigen::Index rows, Eigen::Index columns, unsigned seed) {
