@@ -12,8 +12,14 @@
 
 namespace rubato::test {
 
-inline study::Study study_of(std::string_view deck) {
-  return deck::parse_deck(deck, "deck.yaml").runs.front();
+/// Throws InputError with the places of the deck.
+inline model::Model located_model(std::string_view deck) {
+  const auto read = deck::parse_deck(deck, "deck.yaml");
+  try {
+    return model::build_model(read.runs.front());
+  } catch (const InputError& error) {
+    throw read.places.front().located(error);
+  }
 }
 
 /// Sum over all nodes of the force in x, y, z.
