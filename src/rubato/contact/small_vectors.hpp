@@ -13,6 +13,14 @@ inline double dot(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+inline double dot(const Eigen::Vector4d& a, const Eigen::Vector4d& b) {
+  return (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]);
+}
+
+inline double total_of(const Eigen::Vector4d& a) {
+  return (a[0] + a[1]) + (a[2] + a[3]);
+}
+
 inline Eigen::Vector3d cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
@@ -38,6 +46,14 @@ inline void add_scaled(double factor, const Eigen::Vector3d& a, Eigen::Vector3d&
 
 inline double length_of(const Eigen::Vector3d& a) {
   return std::sqrt(dot(a, a));
+}
+
+inline bool is_finite(const Eigen::Vector3d& a) {
+  return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
+}
+
+inline bool is_zero(const Eigen::Vector3d& a) {
+  return a[0] == 0 && a[1] == 0 && a[2] == 0;
 }
 
 /// a / |a|; 0 where a is 0.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/mortar/dual.hpp"
 
+#include "rubato/contact/small_vectors.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -10,14 +12,6 @@ namespace {
 
 using Eigen::Matrix4d;
 using Eigen::Vector4d;
-
-double dot(const Vector4d& a, const Vector4d& b) {
-  return (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]);
-}
-
-double sum_of(const Vector4d& v) {
-  return (v[0] + v[1]) + (v[2] + v[3]);
-}
 
 /// What the kept nodes have of all functions: a matrix with a row for each of them, in their order.
 struct FacetSharing {
@@ -124,7 +118,7 @@ Matrix4d dual_coefficients(int node_count, const FacetMoments& covered, double f
   const auto sharing = share(node_count, kept);
   if (sharing.count == 0)
     return Matrix4d::Zero();
-  const bool sliver = !(sum_of(covered.first) >= least_dual_cover * full_area);
+  const bool sliver = !(total_of(covered.first) >= least_dual_cover * full_area);
   const Matrix4d rows = sliver ? sharing.given : dual_rows(sharing, covered);
   Matrix4d coefficients;
   coefficients.setZero();
@@ -143,7 +137,7 @@ constexpr double extrapolated = 0.1;
 
 LeastGaps::LeastGaps(int node_count, const FacetMoments& covered, const Matrix4d& dual,
                      const Vector4d& first_gap) {
-  const double whole = sum_of(covered.first);
+  const double whole = total_of(covered.first);
   for (int i = 0; i < node_count; ++i)
     for (int j = 0; j < 4; ++j) {
       fit_(i, j) = covered.first[i] > 0 ? dual(i, j) / covered.first[i] : 1 / whole;
