@@ -84,6 +84,8 @@ FacePolynomial::FacePolynomial(CellType type, const FaceCoordinates& nodes) : te
     for (int term = 0; term < 9; ++term)
       for (int node = 0; node < nodes.cols(); ++node) {
         const double factor = of_type[static_cast<std::size_t>(node)][static_cast<std::size_t>(term)];
+        if (factor == 0)
+          continue;
         for (int row = 0; row < 3; ++row)
           factors_(row, term) += nodes(row, node) * factor;
       }

@@ -41,14 +41,11 @@ void find_candidates(int slave_face, const SlaveFace& placed, const Options& opt
 /// Adds ∫H N of one node's shape function over the points.
 void add_weighted(std::span<const Point> points, std::span<const Eigen::Vector4d> weighted,
                   std::array<double, 9> Point::*values, int node, Products& products) {
-  std::array<double, 4> sum{products(0, node), products(1, node), products(2, node), products(3, node)};
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double value = (points[i].*values)[at(node)];
-    for (int row = 0; row < 4; ++row)
-      sum[at(row)] += value * weighted[i][row];
-  }
+  Eigen::Vector4d sum(products(0, node), products(1, node), products(2, node), products(3, node));
+  for (std::size_t i = 0; i < points.size(); ++i)
+    sum += (points[i].*values)[at(node)] * weighted[i];
   for (int row = 0; row < 4; ++row)
-    products(row, node) = sum[at(row)];
+    products(row, node) = sum[row];
 }
 
 /// One slave sub-facet before all candidates.

@@ -32,18 +32,14 @@ struct Along {
 };
 
 Along along(CellType type, const FaceCoordinates& nodes, double xi) {
-  Along at;
-  for (int i = 0; i < 3; ++i) {
-    const double first = nodes(i, 0), last = nodes(i, 1);
-    if (type == CellType::seg2) {
-      at.value[i] = 0.5 * (1 - xi) * first + 0.5 * (1 + xi) * last;
-      at.slope[i] = 0.5 * (last - first);
-    } else {
-      at.value[i] = 0.5 * xi * (xi - 1) * first + 0.5 * xi * (xi + 1) * last + (1 - xi * xi) * nodes(i, 2);
-      at.slope[i] = (xi - 0.5) * first + (xi + 0.5) * last - 2 * xi * nodes(i, 2);
-    }
-  }
-  return at;
+  const auto start = column_of(nodes, 0), end = column_of(nodes, 1);
+  if (type == CellType::seg2)
+    return {sum_of(scaled(0.5 * (1 - xi), start), scaled(0.5 * (1 + xi), end)),
+            scaled(0.5, difference_of(end, start))};
+  const auto middle = column_of(nodes, 2);
+  const Vector3d ends = sum_of(scaled(0.5 * xi * (xi - 1), start), scaled(0.5 * xi * (xi + 1), end));
+  const Vector3d slopes = sum_of(scaled(xi - 0.5, start), scaled(xi + 0.5, end));
+  return {sum_of(ends, scaled(1 - xi * xi, middle)), difference_of(slopes, scaled(2 * xi, middle))};
 }
 
 struct Root {

@@ -161,9 +161,11 @@ Vector3d PlaneOverlaps::in_plane(const Vector3d& x) const {
 FaceCoordinates PlaneOverlaps::in_plane(const FaceCoordinates& x) const {
   FaceCoordinates local(3, x.cols());
   for (Eigen::Index node = 0; node < x.cols(); ++node) {
-    const Vector3d place = in_plane(column_of(x, node));
-    for (int i = 0; i < 3; ++i)
-      local(i, node) = place[i];
+    const double first = x(0, node) - centre_[0], second = x(1, node) - centre_[1],
+                 third = x(2, node) - centre_[2];
+    for (std::size_t i = 0; i < 3; ++i)
+      local(static_cast<Eigen::Index>(i), node) =
+          axes_[i][0] * first + axes_[i][1] * second + axes_[i][2] * third;
   }
   return local;
 }

@@ -85,12 +85,10 @@ std::vector<Entry> make_table() {
 
 const Entry& entry_of(CellType face) {
   static const auto table = make_table();
-  const auto found =
-      std::find_if(table.begin(), table.end(), [face](const Entry& entry) { return entry.face == face; });
-  if (found == table.end())
-    throw std::invalid_argument("no mortar contact on cells of type " +
-                                std::string(cell::topology(face).name));
-  return *found;
+  for (const auto& entry : table)
+    if (entry.face == face)
+      return entry;
+  throw std::invalid_argument("no mortar contact on cells of type " + std::string(cell::topology(face).name));
 }
 
 } // namespace
