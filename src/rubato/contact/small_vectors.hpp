@@ -9,6 +9,10 @@
 
 namespace rubato::contact {
 
+inline double dot(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a[0] * b[0] + a[1] * b[1];
+}
+
 inline double dot(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -25,6 +29,10 @@ inline Eigen::Vector3d cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
+inline Eigen::Vector2d scaled(double factor, const Eigen::Vector2d& a) {
+  return {factor * a[0], factor * a[1]};
+}
+
 inline Eigen::Vector3d scaled(double factor, const Eigen::Vector3d& a) {
   return {factor * a[0], factor * a[1], factor * a[2]};
 }
@@ -38,10 +46,18 @@ inline Eigen::Vector3d difference_of(const Eigen::Vector3d& a, const Eigen::Vect
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
+inline Eigen::Vector2d difference_of(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return {a[0] - b[0], a[1] - b[1]};
+}
+
 /// to += factor · a
 inline void add_scaled(double factor, const Eigen::Vector3d& a, Eigen::Vector3d& to) {
   for (int i = 0; i < 3; ++i)
     to[i] += factor * a[i];
+}
+
+inline double length_of(const Eigen::Vector2d& a) {
+  return std::sqrt(a[0] * a[0] + a[1] * a[1]);
 }
 
 inline double length_of(const Eigen::Vector3d& a) {
@@ -70,6 +86,11 @@ inline Eigen::Vector3d part_across(const Eigen::Vector3d& unit, const Eigen::Vec
 /// A column of three rows, such as a tangent or the place of a node.
 template <class Matrix> Eigen::Vector3d column_of(const Matrix& matrix, Eigen::Index column) {
   return {matrix(0, column), matrix(1, column), matrix(2, column)};
+}
+
+template <class Matrix> void set_column(Eigen::Index column, const Eigen::Vector3d& from, Matrix& matrix) {
+  for (int i = 0; i < 3; ++i)
+    matrix(i, column) = from[i];
 }
 
 } // namespace rubato::contact
