@@ -70,8 +70,10 @@ public:
 private:
   static constexpr int components = Dimension + 1;
   static constexpr int place_motions = 1 + Dimension;
-  /// The components of each motion.
-  using Motion = std::array<double, components>;
+  /// The components of each motion, and a zero where their number is odd: compilers make vector instructions
+  /// of loops over even numbers.
+  static constexpr std::size_t width = Dimension == 2 ? 4 : 2;
+  using Motion = std::array<double, width>;
   using Row = std::array<Motion, 2 * place_motions + 1>;
   /// Rows of what all derivatives are made of. In the plane τ₂ does not turn: α = γ = 0.
   static constexpr int xi = 0;
@@ -93,15 +95,14 @@ private:
   }
   void add(double factor, const Row& row, Row& to) const {
     for (std::size_t m = 0; m < static_cast<std::size_t>(motion_count()); ++m)
-      for (std::size_t c = 0; c < components; ++c)
-        to[m][c] += factor * row[m][c];
+      add(factor, row[m], to[m]);
   }
   static void add(double factor, const Vector3d& v, Motion& to) {
     for (std::size_t c = 0; c < components; ++c)
       to[c] += factor * v[static_cast<Index>(c)];
   }
   static void add(double factor, const Motion& motion, Motion& to) {
-    for (std::size_t c = 0; c < components; ++c)
+    for (std::size_t c = 0; c < width; ++c)
       to[c] += factor * motion[c];
   }
   static Motion& motion(Row& row, int which) { return row[static_cast<std::size_t>(which)]; }
@@ -239,7 +240,7 @@ private:
   void set_row(int which, double factor, const Row& from) {
     auto& to = row(which);
     for (std::size_t m = 0; m < static_cast<std::size_t>(motion_count()); ++m)
-      for (std::size_t c = 0; c < components; ++c)
+      for (std::size_t c = 0; c < width; ++c)
         to[m][c] = factor * from[m][c];
   }
 
@@ -361,7 +362,7 @@ private:
     const double weight = out_.stencil.weights[node];
     Block block;
     for (std::size_t k = 0; k < row_count; ++k) {
-      for (std::size_t c = 0; c < components; ++c)
+      for (std::size_t c = 0; c < width; ++c)
         block[k][c] = weight * (inside_ ? rows_[k][0][c] : rows_[k][0][c] + rows_[k][place_motions][c]);
       if (!turned_)
         continue;
@@ -378,7 +379,7 @@ private:
     const double weight = out_.stencil.weights[node];
     Block block;
     for (std::size_t k = 0; k < row_count; ++k) {
-      for (std::size_t c = 0; c < components; ++c)
+      for (std::size_t c = 0; c < width; ++c)
         block[k][c] = weight * rows_[k][0][c];
       for (int a = 0; a < Dimension; ++a)
         add(-out_.shape_slope(node, a), motion(rows_[k], 1 + a), block[k]);

@@ -111,9 +111,9 @@ template <class Kind> void clamp(Projection& projection) {
 /// Σ of the nodes, each times every Stride-th of the weights.
 template <std::ptrdiff_t Nodes, std::ptrdiff_t Stride>
 Vector3d weighted_sum(const FaceCoordinates& nodes, const double* weights) {
-  auto sum = scaled(weights[0], column_of(nodes, 0));
+  Vector3d sum = weights[0] * nodes.col(0);
   for (std::ptrdiff_t i = 1; i < Nodes; ++i)
-    add_scaled(weights[i * Stride], column_of(nodes, i), sum);
+    sum += weights[i * Stride] * nodes.col(i);
   return sum;
 }
 
