@@ -3,7 +3,10 @@
 
 #include "rubato/linalg/constrained_inverse.hpp"
 #include "rubato/linalg/dense_decompositions.hpp"
+#include "rubato/linalg/dense_products.hpp"
 #include "rubato/linalg/pivots.hpp"
+#include "rubato/linalg/sparse_products.hpp"
+#include "rubato/linalg/sparse_sum.hpp"
 
 #include <Spectra/SymGEigsShiftSolver.h>
 #include <algorithm>
@@ -49,8 +52,16 @@ constexpr double massless = 1e-13;
 /// lowest circular frequency, so that solutions keep their digits and values their distance.
 constexpr double shift_share = 1e-3;
 
+double trace(const SparseMatrix& matrix) {
+  double sum = 0;
+  for (Index column = 0; column < matrix.outerSize(); ++column)
+    for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry)
+      sum += entry.row() == column ? entry.value() : 0.0;
+  return sum;
+}
+
 double free_shift(const SparseMatrix& stiffness, const SparseMatrix& mass) {
-  const double mean = stiffness.diagonal().sum() / mass.diagonal().sum();
+  const double mean = trace(stiffness) / trace(mass);
   return -shift_share * mean / std::pow(static_cast<double>(stiffness.rows()), 2.0 / 3.0);
 }
 
@@ -62,18 +73,23 @@ Index krylov_vectors(Index number) {
 VectorXd random_vector(Index size, unsigned seed) {
   std::mt19937_64 generator(seed);
   std::uniform_real_distribution<double> uniform(-1, 1);
-  return VectorXd::NullaryExpr(size, [&] { return uniform(generator); });
+  VectorXd vector(size);
+  for (double& value : vector)
+    value = uniform(generator);
+  return vector;
 }
 
 /// Linear combinations of the columns of `basis` that solve K φ = λ M φ among them, ascending.
 SymmetricEigen rayleigh_ritz(const SparseMatrix& stiffness, const SparseMatrix& mass, MatrixXd basis) {
-  MatrixXd moved = mass * basis;
-  const VectorXd scale = basis.cwiseProduct(moved).colwise().sum().cwiseSqrt().cwiseInverse().transpose();
-  basis *= scale.asDiagonal();
-  moved *= scale.asDiagonal();
-  const MatrixXd resisted = stiffness * basis;
-  auto modes = generalized_eigen(basis.transpose() * resisted, basis.transpose() * moved);
-  modes.vectors = basis * modes.vectors;
+  MatrixXd moved = product(mass, basis);
+  for (Index k = 0; k < basis.cols(); ++k) {
+    const double scale = 1 / std::sqrt(basis.col(k).dot(moved.col(k)));
+    basis.col(k) *= scale;
+    moved.col(k) *= scale;
+  }
+  const MatrixXd resisted = product(stiffness, basis);
+  auto modes = generalized_eigen(transposed_product(basis, resisted), transposed_product(basis, moved));
+  modes.vectors = product(basis, modes.vectors);
   return modes;
 }
 
@@ -101,8 +117,8 @@ public:
 
   /// Inverse iteration of all vectors together.
   void refine() {
-    modes_ = rayleigh_ritz(stiffness_, mass_, inverse_.solve(MatrixXd(mass_ * modes_.vectors)));
-    moved_ = mass_ * modes_.vectors;
+    modes_ = rayleigh_ritz(stiffness_, mass_, inverse_.solve(product(mass_, modes_.vectors)));
+    moved_ = product(mass_, modes_.vectors);
   }
 
   const SymmetricEigen& modes() const { return modes_; }
@@ -116,7 +132,8 @@ private:
     Index cols() const { return rows(); }
     void set_shift(double /*unused*/) {}
     void perform_op(const double* x, double* y) const {
-      Eigen::Map<VectorXd>(y, rows()) = search->solve_in_rest(Eigen::Map<const VectorXd>(x, rows()));
+      const VectorXd solution = search->solve_in_rest(vector_of(x, rows()));
+      std::copy_n(solution.data(), rows(), y);
     }
   };
   struct Mass {
@@ -125,14 +142,21 @@ private:
     Index rows() const { return mass->rows(); }
     Index cols() const { return rows(); }
     void perform_op(const double* x, double* y) const {
-      Eigen::Map<VectorXd>(y, rows()).noalias() = mass->transpose() * Eigen::Map<const VectorXd>(x, rows());
+      const VectorXd moved = transposed_product(*mass, vector_of(x, rows()));
+      std::copy_n(moved.data(), rows(), y);
     }
   };
+
+  static VectorXd vector_of(const double* values, Index size) {
+    VectorXd vector(size);
+    std::copy_n(values, size, vector.data());
+    return vector;
+  }
 
   VectorXd solve_in_rest(const VectorXd& right_side) const {
     VectorXd solution = inverse_.solve(right_side);
     if (modes_.vectors.cols() > 0)
-      solution -= modes_.vectors * (moved_.transpose() * solution);
+      solution -= product(modes_.vectors, transposed_product(moved_, solution));
     return solution;
   }
 
@@ -142,7 +166,7 @@ private:
     const Index vectors = std::min(krylov_vectors(number), stiffness_.rows());
     Spectra::SymGEigsShiftSolver<Inverse, Mass, Spectra::GEigsMode::ShiftInvert> solver(inverse, mass, number,
                                                                                         vectors, shift_);
-    const VectorXd start = solve_in_rest(mass_ * random_vector(stiffness_.rows(), seed));
+    const VectorXd start = solve_in_rest(product(mass_, random_vector(stiffness_.rows(), seed)));
     solver.init(start.data());
     solver.compute(Spectra::SortRule::LargestMagn, most_restarts, tolerance);
     return {solver.eigenvalues(), solver.eigenvectors()};
@@ -152,7 +176,8 @@ private:
     if (found.vectors.cols() == 0)
       return;
     MatrixXd together(stiffness_.rows(), modes_.vectors.cols() + found.vectors.cols());
-    together << modes_.vectors, found.vectors;
+    double* const behind = std::copy_n(modes_.vectors.data(), modes_.vectors.size(), together.data());
+    std::copy_n(found.vectors.data(), found.vectors.size(), behind);
     modes_.vectors.swap(together);
     refine();
   }
@@ -165,35 +190,64 @@ private:
   MatrixXd moved_; ///< M φ
 };
 
+MatrixXd last_columns(const MatrixXd& matrix, Index count) {
+  MatrixXd columns(matrix.rows(), count);
+  std::copy_n(matrix.data() + matrix.size() - columns.size(), columns.size(), columns.data());
+  return columns;
+}
+
+MatrixXd first_columns(const MatrixXd& matrix, Index count) {
+  MatrixXd columns(matrix.rows(), count);
+  std::copy_n(matrix.data(), columns.size(), columns.data());
+  return columns;
+}
+
 /// All of them, from the dense problem M φ = θ (K − σ M) φ, which takes masses that are 0.
 SymmetricEigen dense_modes(const SparseMatrix& stiffness, const SparseMatrix& mass,
                            const SparseMatrix& constraints, double shift) {
   const Index kept = stiffness.rows() - constraints.cols();
-  const MatrixXd basis = constraints.cols() == 0
-                             ? MatrixXd::Identity(kept, kept)
-                             : MatrixXd(orthogonal_factor(MatrixXd(constraints)).rightCols(kept));
-  const MatrixXd moved = basis.transpose() * (mass * basis);
-  const MatrixXd shifted = basis.transpose() * (stiffness * basis) - shift * moved;
+  const MatrixXd basis =
+      constraints.cols() == 0
+          ? MatrixXd(MatrixXd::Identity(kept, kept))
+          : last_columns(orthogonal_factor(dense_columns(constraints, 0, constraints.cols())), kept);
+  const MatrixXd moved = transposed_product(basis, product(mass, basis));
+  MatrixXd shifted = transposed_product(basis, product(stiffness, basis));
+  for (Index i = 0; i < shifted.size(); ++i)
+    shifted.data()[i] -= shift * moved.data()[i];
   const auto inverse = generalized_eigen(moved, shifted);
   Index first = 0;
   while (first < kept && inverse.values[first] <= massless * inverse.values[kept - 1])
     ++first;
   if (first == kept)
     return {VectorXd(), MatrixXd(stiffness.rows(), 0)};
-  return rayleigh_ritz(stiffness, mass, basis * inverse.vectors.rightCols(kept - first));
+  return rayleigh_ritz(stiffness, mass, product(basis, last_columns(inverse.vectors, kept - first)));
 }
 
 /// Longer than double where the processor has such numbers: the terms of K φ cancel each other to
 /// λ_1/λ_max of their size, 1e-7 of a beam that is finely meshed.
-using ExtendedVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
+using ExtendedVector = std::vector<long double>;
 
-ExtendedVector product(const SparseMatrix& matrix, const VectorXd& vector) {
-  ExtendedVector sum = ExtendedVector::Zero(matrix.rows());
+ExtendedVector extended_product(const SparseMatrix& matrix, const VectorXd& vector) {
+  ExtendedVector sum(static_cast<std::size_t>(matrix.rows()), 0);
   for (int column = 0; column < matrix.cols(); ++column) {
     const long double factor = vector[column];
     for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry)
-      sum[entry.row()] += entry.value() * factor;
+      sum[static_cast<std::size_t>(entry.row())] += entry.value() * factor;
   }
+  return sum;
+}
+
+long double extended_dot(const VectorXd& a, const ExtendedVector& b) {
+  long double sum = 0;
+  for (std::size_t i = 0; i < b.size(); ++i)
+    sum += a[static_cast<Index>(i)] * b[i];
+  return sum;
+}
+
+double dot_magnitudes(const VectorXd& magnitudes, const VectorXd& vector) {
+  double sum = 0;
+  for (Index i = 0; i < vector.size(); ++i)
+    sum += magnitudes[i] * std::abs(vector[i]);
   return sum;
 }
 
@@ -206,11 +260,13 @@ VectorXd product_of_magnitudes(const SparseMatrix& matrix, const VectorXd& vecto
   return sum;
 }
 
-void turn_positive(Eigen::Ref<VectorXd> vector) {
+void turn_positive(VectorXd& vector) {
   Index largest = 0;
-  vector.cwiseAbs().maxCoeff(&largest);
+  for (Index i = 1; i < vector.size(); ++i)
+    if (std::abs(vector[i]) > std::abs(vector[largest]))
+      largest = i;
   if (vector[largest] < 0)
-    vector = -vector;
+    vector *= -1;
 }
 
 /// Modes that were found, and their residuals.
@@ -221,7 +277,7 @@ public:
              double shift, const SymmetricEigen& found, Index number)
       : stiffness_(stiffness), mass_(mass), inverse_(inverse) {
     const Index count = std::min(number, found.vectors.cols());
-    modes_ = {VectorXd(count), found.vectors.leftCols(count), VectorXd(count), shift, true};
+    modes_ = {VectorXd(count), first_columns(found.vectors, count), VectorXd(count), shift, true};
     residuals_.resize(stiffness.rows(), count);
     rounding_.resize(count);
     measure();
@@ -241,9 +297,14 @@ private:
         columns.push_back(k);
     if (columns.empty())
       return;
-    modes_.vectors(Eigen::all, columns) -= inverse_.solve(MatrixXd(residuals_(Eigen::all, columns)));
-    for (const auto k : columns)
-      measure(k);
+    MatrixXd residuals(residuals_.rows(), static_cast<Index>(columns.size()));
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      residuals.col(static_cast<Index>(i)) = residuals_.col(columns[i]);
+    const MatrixXd corrections = inverse_.solve(residuals);
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      modes_.vectors.col(columns[i]) -= corrections.col(static_cast<Index>(i));
+      measure(columns[i]);
+    }
   }
 
   void measure() {
@@ -253,28 +314,38 @@ private:
 
   /// Values are Rayleigh's quotients.
   void measure(Index k) {
-    auto vector = modes_.vectors.col(k);
+    VectorXd vector = modes_.vectors.col(k);
     turn_positive(vector);
-    ExtendedVector resisted = product(stiffness_, vector);
-    ExtendedVector moved = product(mass_, vector);
-    const ExtendedVector extended = vector.cast<long double>();
-    const auto square = extended.dot(moved);
-    auto value = static_cast<double>(extended.dot(resisted) / square);
+    const ExtendedVector resisted = extended_product(stiffness_, vector);
+    const ExtendedVector moved = extended_product(mass_, vector);
+    const auto square = extended_dot(vector, moved);
+    auto value = static_cast<double>(extended_dot(vector, resisted) / square);
     const double length = std::sqrt(static_cast<double>(square));
     const auto magnitudes = product_of_magnitudes(stiffness_, vector);
-    if (modes_.shift < 0 && value * length * length <= negligible_pivot * magnitudes.dot(vector.cwiseAbs()))
+    if (modes_.shift < 0 && value * length * length <= negligible_pivot * dot_magnitudes(magnitudes, vector))
       value = 0;
     modes_.values[k] = value;
-    residuals_.col(k) = inverse_.without_reactions((resisted - value * moved).cast<double>());
-    const double scale = (value > 0 ? value : -modes_.shift) * static_cast<double>(moved.norm());
-    modes_.residuals[k] = residuals_.col(k).norm() / scale;
+    VectorXd residual(vector.size());
+    long double square_moved = 0;
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+      residual[static_cast<Index>(i)] = static_cast<double>(resisted[i] - value * moved[i]);
+      square_moved += moved[i] * moved[i];
+    }
+    residual = inverse_.without_reactions(residual);
+    const double scale = (value > 0 ? value : -modes_.shift) * static_cast<double>(std::sqrt(square_moved));
+    modes_.residuals[k] = residual.norm() / scale;
     rounding_[k] = std::numeric_limits<double>::epsilon() * magnitudes.norm() / scale;
     vector /= length;
-    residuals_.col(k) /= length;
+    residual /= length;
+    modes_.vectors.col(k) = vector;
+    residuals_.col(k) = residual;
   }
 
   void judge() {
-    modes_.converged = (modes_.residuals.array() <= rounding_.array().max(largest_residual)).all();
+    modes_.converged = true;
+    for (Index k = 0; k < rounding_.size(); ++k)
+      modes_.converged =
+          modes_.converged && modes_.residuals[k] <= std::max(rounding_[k], largest_residual);
   }
 
   const SparseMatrix& stiffness_;
@@ -291,7 +362,7 @@ EigenModes find_densely(const SparseMatrix& stiffness, const SparseMatrix& mass,
   auto modes = dense_modes(stiffness, mass, inverse.constraints(), shift);
   const Index count = std::min(number + guards, modes.vectors.cols());
   if (count > 0)
-    modes = rayleigh_ritz(stiffness, mass, inverse.solve(MatrixXd(mass * modes.vectors.leftCols(count))));
+    modes = rayleigh_ritz(stiffness, mass, inverse.solve(product(mass, first_columns(modes.vectors, count))));
   return FoundModes(stiffness, mass, inverse, shift, modes, number).take();
 }
 
@@ -320,14 +391,17 @@ std::optional<EigenModes> smallest_modes(const SparseMatrix& stiffness, const Sp
       mass.cols() != stiffness.cols() || number < 1)
     throw std::invalid_argument("smallest_modes wants two square matrices of one size and a number above 0.");
   // Of a mass with the pattern of the stiffness two thirds are zeros: components do not couple.
-  const SparseMatrix moving = mass.pruned(1, 0);
+  SparseMatrix moving = mass;
+  moving.prune([](Index, Index, double value) { return value != 0; });
   if (support == Support::unknown)
     if (auto inverse = ConstrainedInverse::of(stiffness, constraints))
       return find_modes(stiffness, moving, *inverse, 0, number);
   const double shift = free_shift(stiffness, moving);
   if (!std::isfinite(shift) || !(shift < 0))
     return std::nullopt;
-  if (auto inverse = ConstrainedInverse::of(SparseMatrix(stiffness - shift * moving), constraints))
+  SparseMatrix shifted = stiffness;
+  add_scaled(-shift, moving, shifted);
+  if (auto inverse = ConstrainedInverse::of(shifted, constraints))
     return find_modes(stiffness, moving, *inverse, shift, number);
   return std::nullopt;
 }
