@@ -40,6 +40,7 @@ void dposv_(const char* triangle, const int* size, const int* right_sides, doubl
 void dsyevd_(const char* vectors, const char* triangle, const int* size, double* matrix, const int* stride,
              double* values, double* work, const int* work_size, int* integer_work, const int* integer_size,
              int* info);
+void dsterf_(const int* size, double* diagonal, double* beside, int* info);
 void dsygvd_(const int* kind, const char* vectors, const char* triangle, const int* size, double* matrix,
              const int* stride, double* mass, const int* mass_stride, double* values, double* work,
              const int* work_size, int* integer_work, const int* integer_size, int* info);

@@ -3,10 +3,10 @@
 
 #include "rubato/linalg/blas.hpp"
 #include "rubato/linalg/blas_threads.hpp"
-
-#include <Eigen/Cholesky>
+#include "rubato/linalg/column_sum.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -14,22 +14,63 @@
 namespace rubato::linalg {
 namespace {
 
-/// Eigen is done with such a matrix before LAPACK has begun.
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Plain loops factor such a matrix before LAPACK has begun.
 constexpr int small = 48;
+
+/// L of A = L Lᵀ in the lower triangle, column by column. False when A is not positive definite.
+bool factor_in_place(MatrixXd& a) {
+  const Index size = a.rows();
+  for (Index k = 0; k < size; ++k) {
+    double* const column = &a(k, k);
+    ColumnSum sum(column, size - k);
+    for (Index j = 0; j < k; ++j)
+      sum.add(-a(k, j), &a(k, j));
+    sum.add_rest();
+    if (!(*column > 0))
+      return false;
+    const double root = std::sqrt(*column);
+    *column = root;
+    for (Index i = 1; i < size - k; ++i)
+      column[i] /= root;
+  }
+  return true;
+}
+
+/// x = L⁻ᵀ L⁻¹ x
+void solve_with_factor(const MatrixXd& factor, VectorXd& x) {
+  const Index size = factor.rows();
+  for (Index j = 0; j < size; ++j) {
+    const double* const column = &factor(0, j);
+    const double value = x[j] /= column[j];
+    for (Index i = j + 1; i < size; ++i)
+      x[i] -= value * column[i];
+  }
+  for (Index j = size - 1; j >= 0; --j) {
+    const double* const column = &factor(0, j);
+    double sum = x[j];
+    for (Index i = j + 1; i < size; ++i)
+      sum -= column[i] * x[i];
+    x[j] = sum / column[j];
+  }
+}
 
 } // namespace
 
-Eigen::VectorXd solve_positive_definite(Eigen::MatrixXd matrix, Eigen::VectorXd right_side) {
+VectorXd solve_positive_definite(MatrixXd matrix, VectorXd right_side) {
   const auto size = static_cast<int>(right_side.size());
   if (matrix.rows() != size || matrix.cols() != size)
     throw std::invalid_argument("a right side of another size than the matrix");
   if (size == 0)
     return right_side;
   if (size <= small) {
-    const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
-    if (factor.info() == Eigen::Success)
-      return factor.solve(right_side);
-    right_side.setConstant(std::numeric_limits<double>::quiet_NaN());
+    if (factor_in_place(matrix))
+      solve_with_factor(matrix, right_side);
+    else
+      right_side.setConstant(std::numeric_limits<double>::quiet_NaN());
     return right_side;
   }
   use_one_blas_thread_by_default();
@@ -41,7 +82,7 @@ Eigen::VectorXd solve_positive_definite(Eigen::MatrixXd matrix, Eigen::VectorXd 
   return right_side;
 }
 
-std::optional<Eigen::MatrixXd> inverse_of_positive_definite(Eigen::MatrixXd matrix) {
+std::optional<MatrixXd> inverse_of_positive_definite(MatrixXd matrix) {
   const auto size = static_cast<int>(matrix.rows());
   if (matrix.cols() != size)
     throw std::invalid_argument("the inverse of a matrix that is not square");
@@ -54,18 +95,27 @@ std::optional<Eigen::MatrixXd> inverse_of_positive_definite(Eigen::MatrixXd matr
     dpotri_("U", &size, matrix.data(), &size, &info);
   if (info != 0)
     return std::nullopt;
-  matrix.triangularView<Eigen::StrictlyLower>() = matrix.transpose();
+  for (Index j = 0; j < size; ++j)
+    for (Index i = j + 1; i < size; ++i)
+      matrix(i, j) = matrix(j, i);
   return matrix;
 }
 
-Eigen::VectorXd solve_among(std::span<const Eigen::Index> unknowns, const Eigen::MatrixXd& matrix,
-                            const Eigen::VectorXd& values) {
-  Eigen::MatrixXd among = matrix(unknowns, unknowns);
-  Eigen::VectorXd right_side = -values(unknowns);
+VectorXd solve_among(std::span<const Index> unknowns, const MatrixXd& matrix,
+                            const VectorXd& values) {
+  const auto count = static_cast<Index>(unknowns.size());
+  MatrixXd among(count, count);
+  VectorXd right_side(count);
+  for (Index j = 0; j < count; ++j) {
+    const Index unknown = unknowns[static_cast<std::size_t>(j)];
+    right_side[j] = -values[unknown];
+    for (Index i = 0; i < count; ++i)
+      among(i, j) = matrix(unknowns[static_cast<std::size_t>(i)], unknown);
+  }
   return solve_positive_definite(std::move(among), std::move(right_side));
 }
 
-std::vector<int> independent_rows(Eigen::MatrixXd matrix, double tolerance) {
+std::vector<int> independent_rows(MatrixXd matrix, double tolerance) {
   const auto size = static_cast<int>(matrix.rows());
   if (size == 0)
     return {};

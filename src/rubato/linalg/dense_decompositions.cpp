@@ -135,6 +135,14 @@ VectorXd symmetric_eigenvalues(const MatrixXd& a) {
   return values;
 }
 
+double largest_of_tridiagonal(VectorXd diagonal, VectorXd beside) {
+  const auto size = static_cast<int>(diagonal.size());
+  int info = 0;
+  if (size > 0)
+    dsterf_(&size, diagonal.data(), beside.data(), &info);
+  return size > 0 && info == 0 ? diagonal[size - 1] : not_found;
+}
+
 SymmetricEigen generalized_eigen(const MatrixXd& a, const MatrixXd& b) {
   use_one_blas_thread_by_default();
   const auto size = static_cast<int>(a.rows());

@@ -16,6 +16,9 @@ struct SymmetricEigen {
 /// of a matrix that is not finite, are NaN.
 SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& a);
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& a);
+/// The largest eigenvalue of a symmetric tridiagonal matrix, NaN when it is not found. `beside` holds the
+/// entries beside the diagonal.
+double largest_of_tridiagonal(Eigen::VectorXd diagonal, Eigen::VectorXd beside);
 /// A v = λ B v with v·B v = 1, B positive definite: otherwise all numbers are NaN.
 SymmetricEigen generalized_eigen(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 

@@ -205,8 +205,8 @@ void InterfaceNewtonSystem::forget_left_places() {
   for (const auto& point : points())
     present.insert(present.end(), point.interface_dofs.begin(), point.interface_dofs.end());
   std::ranges::sort(present);
-  const auto repeated = std::ranges::unique(present);
-  if (surface_.size() > 2 * (repeated.begin() - present.begin()))
+  const auto repeated = std::unique(present.begin(), present.end());
+  if (surface_.size() > 2 * (repeated - present.begin()))
     surface_.forget();
 }
 
