@@ -66,6 +66,23 @@ MatrixXd transposed_product(const SparseMatrix& a, const MatrixXd& x) {
   return y;
 }
 
+VectorXd symmetric_product(const SparseMatrix& a, const VectorXd& x) {
+  must_fit(x.size(), a.cols());
+  VectorXd y = VectorXd::Zero(a.rows());
+  for (Index column = 0; column < a.outerSize(); ++column) {
+    double sum = 0;
+    for (SparseMatrix::InnerIterator entry(a, column); entry; ++entry)
+      if (entry.row() == column) {
+        y[column] += entry.value() * x[column];
+      } else if (entry.row() > column) {
+        y[entry.row()] += entry.value() * x[column];
+        sum += entry.value() * x[entry.row()];
+      }
+    y[column] += sum;
+  }
+  return y;
+}
+
 MatrixXd gram_of_columns(const SparseMatrix& a) {
   MatrixXd gram(a.cols(), a.cols());
   VectorXd column = VectorXd::Zero(a.rows());

@@ -15,6 +15,8 @@ Eigen::MatrixXd product(const SparseMatrix& a, const Eigen::MatrixXd& x);
 /// Aᵀ x
 Eigen::VectorXd transposed_product(const SparseMatrix& a, const Eigen::VectorXd& x);
 Eigen::MatrixXd transposed_product(const SparseMatrix& a, const Eigen::MatrixXd& x);
+/// A x of a symmetric A, of which the lower triangle is read.
+Eigen::VectorXd symmetric_product(const SparseMatrix& a, const Eigen::VectorXd& x);
 /// AᵀA
 Eigen::MatrixXd gram_of_columns(const SparseMatrix& a);
 /// Some columns.
