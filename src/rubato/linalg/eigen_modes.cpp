@@ -5,10 +5,10 @@
 #include "rubato/linalg/dense_decompositions.hpp"
 #include "rubato/linalg/dense_products.hpp"
 #include "rubato/linalg/pivots.hpp"
+#include "rubato/linalg/ritz_pairs.hpp"
 #include "rubato/linalg/sparse_products.hpp"
 #include "rubato/linalg/sparse_sum.hpp"
 
-#include <Spectra/SymGEigsShiftSolver.h>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -124,35 +124,7 @@ public:
   const SymmetricEigen& modes() const { return modes_; }
 
 private:
-  /// (K − σ M)⁻¹ without what was found; Spectra wants these functions.
-  struct Inverse {
-    using Scalar = double;
-    const ModeSearch* search;
-    Index rows() const { return search->stiffness_.rows(); }
-    Index cols() const { return rows(); }
-    void set_shift(double /*unused*/) {}
-    void perform_op(const double* x, double* y) const {
-      const VectorXd solution = search->solve_in_rest(vector_of(x, rows()));
-      std::copy_n(solution.data(), rows(), y);
-    }
-  };
-  struct Mass {
-    using Scalar = double;
-    const SparseMatrix* mass;
-    Index rows() const { return mass->rows(); }
-    Index cols() const { return rows(); }
-    void perform_op(const double* x, double* y) const {
-      const VectorXd moved = transposed_product(*mass, vector_of(x, rows()));
-      std::copy_n(moved.data(), rows(), y);
-    }
-  };
-
-  static VectorXd vector_of(const double* values, Index size) {
-    VectorXd vector(size);
-    std::copy_n(values, size, vector.data());
-    return vector;
-  }
-
+  /// (K − σ M)⁻¹ without what was found.
   VectorXd solve_in_rest(const VectorXd& right_side) const {
     VectorXd solution = inverse_.solve(right_side);
     if (modes_.vectors.cols() > 0)
@@ -161,15 +133,14 @@ private:
   }
 
   SymmetricEigen lanczos(Index number, double tolerance, unsigned seed) const {
-    Inverse inverse{this};
-    Mass mass{&mass_};
     const Index vectors = std::min(krylov_vectors(number), stiffness_.rows());
-    Spectra::SymGEigsShiftSolver<Inverse, Mass, Spectra::GEigsMode::ShiftInvert> solver(inverse, mass, number,
-                                                                                        vectors, shift_);
     const VectorXd start = solve_in_rest(product(mass_, random_vector(stiffness_.rows(), seed)));
-    solver.init(start.data());
-    solver.compute(Spectra::SortRule::LargestMagn, most_restarts, tolerance);
-    return {solver.eigenvalues(), solver.eigenvectors()};
+    auto found = largest_ritz_pairs([this](const VectorXd& x) { return solve_in_rest(x); },
+                                    [this](const VectorXd& x) { return transposed_product(mass_, x); }, start,
+                                    {number, vectors, most_restarts, tolerance});
+    for (double& value : found.values) // 1/(λ − σ)
+      value = shift_ + 1 / value;
+    return found;
   }
 
   void add(const SymmetricEigen& found) {

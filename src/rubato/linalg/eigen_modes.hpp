@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// The smallest eigenvalues of K φ = λ M φ with their vectors: the only file that knows Spectra.
+/// The smallest eigenvalues of K φ = λ M φ with their vectors.
 #pragma once
 
 #include "rubato/linalg/direct_solver.hpp"
@@ -32,7 +32,7 @@ enum class Support { unknown, none };
 ///
 /// Shift and invert (R. G. Grimes, J. G. Lewis, H. D. Simon, A shifted block Lanczos algorithm for solving
 /// sparse symmetric generalized eigenproblems, SIAM J. Matrix Anal. Appl. 15 (1994) 228–272) by implicitly
-/// restarted Lanczos (Spectra) on the Cholesky factor of K − σ M, then inverse iteration of the block with
+/// restarted Lanczos (ritz_pairs.hpp) on the Cholesky factor of K − σ M, then inverse iteration of the block with
 /// Rayleigh–Ritz. One vector of a Lanczos run sees one vector of a multiple value, so further runs start in
 /// what is orthogonal to all found, until they find no value below the largest wanted one. Starts are random
 /// and always the same. Small systems are solved densely.
