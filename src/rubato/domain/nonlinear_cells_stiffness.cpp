@@ -75,8 +75,8 @@ void NonlinearCells::find_rates(const mesh::Mesh& mesh, const Bulk& bulk,
     Rate rate;
     if (group_of(cell).kind.strain != element::StrainKind::small) {
       const auto vibration = vibration_of(mesh, bulk, cell.place);
-      rate.stiffness = stiffness_of_waves(group_of(cell).waves, vibration.stiffness.data(),
-                                          vibration.stiffness.rows());
+      rate.stiffness =
+          stiffness_of_waves(group_of(cell).waves, vibration.stiffness.data(), vibration.stiffness.rows());
       if (vibration.mass.minCoeff() > 0)
         rate.lambda = vibration.bound() / (mass_factors.empty() ? 1 : mass_factors[cell.place]);
     }

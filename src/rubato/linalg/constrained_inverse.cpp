@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/linalg/constrained_inverse.hpp"
 
-#include "rubato/linalg/dense_cholesky.hpp"
 #include "rubato/linalg/sparse_products.hpp"
 
 #include <algorithm>
@@ -116,7 +115,7 @@ MatrixXd ConstrainedInverse::solve(const MatrixXd& right_sides) const {
 VectorXd ConstrainedInverse::without_reactions(const VectorXd& force) const {
   if (constraints_.cols() == 0)
     return force;
-  return force - product(constraints_, VectorXd(lengths_->solve(transposed_product(constraints_, force))));
+  return force - product(constraints_, lengths_->solve(transposed_product(constraints_, force)));
 }
 
 } // namespace rubato::linalg

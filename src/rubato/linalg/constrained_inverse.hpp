@@ -2,9 +2,9 @@
 /// Solutions of a symmetric positive definite system that keep linear constraints.
 #pragma once
 
+#include "rubato/linalg/dense_cholesky.hpp"
 #include "rubato/linalg/direct_solver.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include <optional>
@@ -37,8 +37,8 @@ private:
 
   CholeskyFactor factor_;
   SparseMatrix constraints_;
-  std::optional<Eigen::LLT<Eigen::MatrixXd>> schur_;   ///< of S; none without constraints
-  std::optional<Eigen::LLT<Eigen::MatrixXd>> lengths_; ///< of Cᵀ C; likewise
+  std::optional<DenseCholesky> schur_;   ///< of S; none without constraints
+  std::optional<DenseCholesky> lengths_; ///< of Cᵀ C; likewise
 };
 
 } // namespace rubato::linalg

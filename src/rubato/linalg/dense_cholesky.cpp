@@ -60,6 +60,38 @@ void solve_with_factor(const MatrixXd& factor, VectorXd& x) {
 
 } // namespace
 
+DenseCholesky::DenseCholesky(MatrixXd matrix) : factor_(std::move(matrix)) {
+  const auto size = static_cast<int>(factor_.rows());
+  if (factor_.cols() != size)
+    throw std::invalid_argument("Cholesky factors of a matrix that is not square");
+  use_one_blas_thread_by_default();
+  int info = 0;
+  if (size > 0)
+    dpotrf_("L", &size, factor_.data(), &size, &info);
+  if (info != 0)
+    factor_.setConstant(std::numeric_limits<double>::quiet_NaN());
+}
+
+VectorXd DenseCholesky::solve(VectorXd right_side) const {
+  solve_in_place(right_side.data(), 1);
+  return right_side;
+}
+
+MatrixXd DenseCholesky::solve(MatrixXd right_sides) const {
+  solve_in_place(right_sides.data(), right_sides.cols());
+  return right_sides;
+}
+
+void DenseCholesky::solve_in_place(double* values, Index columns) const {
+  const auto size = static_cast<int>(factor_.rows());
+  const auto count = static_cast<int>(columns);
+  const double one = 1;
+  if (size == 0 || count == 0)
+    return;
+  for (const char* transposed : {"N", "T"})
+    dtrsm_("L", "L", transposed, "N", &size, &count, &one, factor_.data(), &size, values, &size);
+}
+
 VectorXd solve_positive_definite(MatrixXd matrix, VectorXd right_side) {
   const auto size = static_cast<int>(right_side.size());
   if (matrix.rows() != size || matrix.cols() != size)
@@ -101,8 +133,7 @@ std::optional<MatrixXd> inverse_of_positive_definite(MatrixXd matrix) {
   return matrix;
 }
 
-VectorXd solve_among(std::span<const Index> unknowns, const MatrixXd& matrix,
-                            const VectorXd& values) {
+VectorXd solve_among(std::span<const Index> unknowns, const MatrixXd& matrix, const VectorXd& values) {
   const auto count = static_cast<Index>(unknowns.size());
   MatrixXd among(count, count);
   VectorXd right_side(count);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Decompositions of dense matrices by LAPACK. Eigen's templates for them take longer to compile than all else
-/// in a source.
+/// Decompositions of dense matrices by LAPACK. Eigen's templates for them take longer to compile than all
+/// else in a source.
 #pragma once
 
 #include <Eigen/Core>

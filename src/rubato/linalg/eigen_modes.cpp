@@ -315,8 +315,7 @@ private:
   void judge() {
     modes_.converged = true;
     for (Index k = 0; k < rounding_.size(); ++k)
-      modes_.converged =
-          modes_.converged && modes_.residuals[k] <= std::max(rounding_[k], largest_residual);
+      modes_.converged = modes_.converged && modes_.residuals[k] <= std::max(rounding_[k], largest_residual);
   }
 
   const SparseMatrix& stiffness_;

@@ -32,10 +32,10 @@ enum class Support { unknown, none };
 ///
 /// Shift and invert (R. G. Grimes, J. G. Lewis, H. D. Simon, A shifted block Lanczos algorithm for solving
 /// sparse symmetric generalized eigenproblems, SIAM J. Matrix Anal. Appl. 15 (1994) 228–272) by implicitly
-/// restarted Lanczos (ritz_pairs.hpp) on the Cholesky factor of K − σ M, then inverse iteration of the block with
-/// Rayleigh–Ritz. One vector of a Lanczos run sees one vector of a multiple value, so further runs start in
-/// what is orthogonal to all found, until they find no value below the largest wanted one. Starts are random
-/// and always the same. Small systems are solved densely.
+/// restarted Lanczos (ritz_pairs.hpp) on the Cholesky factor of K − σ M, then inverse iteration of the block
+/// with Rayleigh–Ritz. One vector of a Lanczos run sees one vector of a multiple value, so further runs start
+/// in what is orthogonal to all found, until they find no value below the largest wanted one. Starts are
+/// random and always the same. Small systems are solved densely.
 ///
 /// Nothing comes back when K − σ M is not positive definite to working precision or has a value that is not
 /// finite. Throws std::invalid_argument when sizes do not match or `number` is below 1.

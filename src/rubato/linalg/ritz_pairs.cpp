@@ -91,9 +91,8 @@ private:
     pairs_ = symmetric_eigen(part);
     order_.resize(static_cast<std::size_t>(count_));
     std::iota(order_.begin(), order_.end(), Index{0});
-    std::ranges::stable_sort(order_, [&](Index a, Index b) {
-      return std::abs(pairs_.values[a]) > std::abs(pairs_.values[b]);
-    });
+    std::ranges::stable_sort(
+        order_, [&](Index a, Index b) { return std::abs(pairs_.values[a]) > std::abs(pairs_.values[b]); });
   }
 
   /// Notes which of the wanted values have converged. Returns how many.

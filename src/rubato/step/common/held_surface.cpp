@@ -23,9 +23,8 @@ Directions held_directions(const contact::Kinematics& kinematics, bool everywher
   return directions;
 }
 
-void add_springs(const model::Model& model, const contact::Stencil& stencil,
-                 const Directions& directions, const Eigen::VectorXd& diagonal,
-                 std::vector<NodeSpring>& springs) {
+void add_springs(const model::Model& model, const contact::Stencil& stencil, const Directions& directions,
+                 const Eigen::VectorXd& diagonal, std::vector<NodeSpring>& springs) {
   double most = 0;
   for (const double weight : stencil.weights)
     most = std::max(most, std::abs(weight));
@@ -38,7 +37,8 @@ void add_springs(const model::Model& model, const contact::Stencil& stencil,
     const double stiffness = share * share * (sum / stencil.components);
     for (int i = 0; i < stencil.components; ++i)
       for (int j = 0; j < stencil.components; ++j)
-        if (const double part = directions[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]; part != 0)
+        if (const double part = directions[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+            part != 0)
           springs.push_back({first + i, first + j, stiffness * part});
   }
 }
