@@ -16,9 +16,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double unit_roundoff = std::numeric_limits<double>::epsilon();
 /// Part of A M v that is rounding where v spans the last direction of the Krylov space.
-constexpr double exhausted = 100 * epsilon;
+constexpr double exhausted = 100 * unit_roundoff;
 
 class Lanczos {
 public:
@@ -97,7 +97,7 @@ private:
 
   /// Notes which of the wanted values have converged. Returns how many.
   Index settle() {
-    const double least = std::pow(epsilon, 2.0 / 3.0);
+    const double least = std::pow(unit_roundoff, 2.0 / 3.0);
     settled_.clear();
     for (Index k = 0; k < wanted(); ++k) {
       const Index pair = order_[static_cast<std::size_t>(k)];
