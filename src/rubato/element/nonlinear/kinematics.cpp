@@ -9,11 +9,6 @@ namespace {
 using Eigen::Matrix3d;
 using material::Tangent6;
 
-/// FᵀF − 1 = H + Hᵀ + HᵀH.
-Matrix3d green_lagrange_doubled(const Matrix3d& h) {
-  return h + h.transpose() + h.transpose() * h;
-}
-
 void moduli_of(const Matrix3d& f, const Matrix3d& s, const Tangent6& tangent, Moduli& moduli) {
   const auto map = strain_by_gradient(f);
   const Eigen::Matrix<double, 6, 9> stressed = tangent.lazyProduct(map);
@@ -44,6 +39,12 @@ Eigen::Matrix<double, 6, 9> strain_by_gradient(const Matrix3d& f) {
   return map;
 }
 
+void set_moduli_between(const Matrix3d& h, const Tangent6& c, const Matrix3d& other_h, Moduli& moduli) {
+  const Eigen::Matrix<double, 6, 9> stressed =
+      c.lazyProduct(strain_by_gradient(Matrix3d::Identity() + other_h));
+  moduli.noalias() = strain_by_gradient(Matrix3d::Identity() + h).transpose().lazyProduct(stressed);
+}
+
 void add_stress_part(const Matrix3d& s, Moduli& moduli) {
   for (int l = 0; l < 3; ++l)
     for (int j = 0; j < 3; ++j)
@@ -66,7 +67,7 @@ Matrix3d first_piola(StrainKind kind, const Deformation& deformation, const mate
     return tensor_of(stress);
   const Matrix3d s =
       kind == StrainKind::green_lagrange ? tensor_of(stress) : second_piola(deformation.logarithm, stress);
-  return s + deformation.h * s;
+  return piola_of(deformation.h, s);
 }
 
 void first_moduli(StrainKind kind, const Deformation& deformation, const material::Response& response,
