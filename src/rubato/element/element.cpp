@@ -11,6 +11,7 @@
 #include "rubato/element/isotropic_stiffness.hpp"
 #include "rubato/element/nonlinear/block_sums.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -78,20 +79,22 @@ void put_stiffness(CellType type, Points points, const TangentAt& tangent_at, co
 }
 
 /// det ∂x/∂ξ at a point of a table.
-double jacobian(const cell::ShapeTable& table, Points points, Index q, int dimension) {
+template <int d> double jacobian(const cell::ShapeTable& table, Points points, Index q) {
   const double* const gradients = table.gradients.col(q).data();
-  std::array<double, 9> j{};
+  std::array<double, static_cast<std::size_t>(d * d)> j{};
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double* const x = points[i].data();
-    const double* const by_xi = gradients + static_cast<std::ptrdiff_t>(i) * dimension;
-    for (int b = 0; b < dimension; ++b)
-      for (int a = 0; a < dimension; ++a)
-        j[static_cast<std::size_t>(a + 3 * b)] += x[a] * by_xi[b];
+    unrolled<d * d>([&](auto m) { j[m] += x[m % d] * gradients[static_cast<int>(i) * d + m / d]; });
   }
-  if (dimension == 2)
-    return j[0] * j[4] - j[3] * j[1];
-  return j[0] * (j[4] * j[8] - j[7] * j[5]) - j[3] * (j[1] * j[8] - j[7] * j[2]) +
-         j[6] * (j[1] * j[5] - j[4] * j[2]);
+  if constexpr (d == 2)
+    return j[0] * j[3] - j[2] * j[1];
+  else
+    return j[0] * (j[4] * j[8] - j[7] * j[5]) - j[3] * (j[1] * j[8] - j[7] * j[2]) +
+           j[6] * (j[1] * j[5] - j[4] * j[2]);
+}
+
+double jacobian(const cell::ShapeTable& table, Points points, Index q, int dimension) {
+  return dimension == 3 ? jacobian<3>(table, points, q) : jacobian<2>(table, points, q);
 }
 
 double radius(const cell::ShapeTable& table, Points points, Index q) {
@@ -109,19 +112,27 @@ void put_mass(CellType type, Points points, const DensityAt& density_at, const S
   const auto& table = cell::mass_table(type);
   const int dimension = cell::topology(type).dimension;
   const auto nodes = points.size();
-  std::array<std::array<double, most_nodes_of_cell>, most_nodes_of_cell> sums{};
+  constexpr std::size_t most_pairs = most_stride / 2;
+  const auto pairs = static_cast<std::size_t>(even(static_cast<int>(nodes))) / 2;
+  std::array<std::array<Pair, most_pairs>, most_nodes_of_cell> sums;
+  for (std::size_t j = 0; j < nodes; ++j)
+    std::fill_n(sums[j].begin(), pairs, Pair{});
+  std::array<Pair, most_pairs> scaled;
   for (Index q = 0; q < table.weights.size(); ++q) {
-    const double volume =
-        table.weights[q] * jacobian(table, points, q, dimension) * measure(section, radius(table, points, q));
-    const double mass = density_at(q) * volume;
+    double volume = table.weights[q] * jacobian(table, points, q, dimension);
+    if (dimension == 2)
+      volume *= measure(section, radius(table, points, q));
+    const double root = std::sqrt(density_at(q) * volume);
     const double* const n = table.values.col(q).data();
+    for (std::size_t p = 0; p < pairs; ++p)
+      scaled[p] = root * Pair{n[2 * p], 2 * p + 1 < nodes ? n[2 * p + 1] : 0};
     for (std::size_t j = 0; j < nodes; ++j)
-      for (std::size_t i = 0; i < nodes; ++i)
-        sums[j][i] += mass * (n[i] * n[j]);
+      for (std::size_t p = 0; p < pairs; ++p)
+        sums[j][p] += scaled[p] * scaled[j / 2][j % 2];
   }
   for (std::size_t j = 0; j < nodes; ++j)
     for (std::size_t i = 0; i < nodes; ++i)
-      m(static_cast<Index>(i), static_cast<Index>(j)) = sums[j][i];
+      m(static_cast<Index>(i), static_cast<Index>(j)) = sums[j][i / 2][i % 2];
 }
 
 /// The smallest at the points of a table.

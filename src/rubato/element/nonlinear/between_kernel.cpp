@@ -21,10 +21,6 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr int most_dofs = 3 * most_nodes_of_cell;
 using Dofs = std::array<double, static_cast<std::size_t>(most_dofs)>;
 
-std::size_t place(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 /// x:y.
 double contraction(const Matrix3d& x, const Matrix3d& y) {
   double sum = 0;

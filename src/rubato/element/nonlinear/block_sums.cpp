@@ -75,7 +75,7 @@ private:
     }
   }
 
-  BlockPair<d> sum(int i) const {
+  [[gnu::always_inline]] BlockPair<d> sum(int i) const {
     BlockPair<d> total{};
     const int stride = gradients_.stride();
     for (std::size_t q = 0; q < moduli_.size(); ++q) {

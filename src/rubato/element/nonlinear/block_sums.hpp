@@ -33,7 +33,8 @@ void put_block_sums(const CellGradients& gradients, std::span<const Moduli> modu
 template <int d> using BlockPair = std::array<Pair, static_cast<std::size_t>(d* d)>;
 
 /// Puts the blocks of `pair` with i ≤ j into K, and their mirror images.
-template <int d> void put_blocks(const BlockPair<d>& pair, int i, int j, const MatrixView& k) {
+template <int d>
+[[gnu::always_inline]] inline void put_blocks(const BlockPair<d>& pair, int i, int j, const MatrixView& k) {
   const auto leading = static_cast<std::ptrdiff_t>(k.leading);
   double* const block = k.column(d * j) + d * i;
   double* const mirrored = k.column(d * i) + d * j;

@@ -20,6 +20,11 @@ constexpr int most_nodes_of_cell = 27;
 constexpr int most_points_of_cell = 27;
 constexpr int most_stride = even(most_nodes_of_cell);
 
+/// Index in a standard array.
+constexpr std::size_t place(int i) {
+  return static_cast<std::size_t>(i);
+}
+
 template <class T> using AtPoints = std::array<T, static_cast<std::size_t>(most_points_of_cell)>;
 
 /// Where component a of gradient row I is in a tensor of the point: at a + 3 I, −1 where nowhere (the axial

@@ -4,10 +4,6 @@
 namespace rubato::element {
 namespace {
 
-std::size_t place(int q) {
-  return static_cast<std::size_t>(q);
-}
-
 /// The symmetric part, times `factor`.
 void put_symmetric(const material::Tangent6& tangent, double factor, material::Tangent6& symmetric) {
   const double half = 0.5 * factor;

@@ -15,10 +15,6 @@ constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
 /// Where no step makes forces on modes smaller, so much of rounding is an end.
 constexpr double stalled_rounding = 1e3;
 
-std::size_t place(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 } // namespace
 
 EnhancedCell::EnhancedCell(CellPoints& cell, CellGradients& gradients)

@@ -18,10 +18,6 @@ template <int d> constexpr auto unseen_waves() {
     return std::array{2, 4, 5, 6};
 }
 
-constexpr std::size_t place(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 template <int d> double trace_of_inverse(const Square<d>& m) {
   Square<d> inverse;
   invert(m, inverse);
@@ -74,12 +70,16 @@ template <int d> void HourglassForces::add_tangent_of(const MatrixView& k) const
   constexpr int nodes = Waves<d>::nodes, patterns = static_cast<int>(unseen_waves<d>().size());
   const double secant = stiffness_ / root_;
   for (int j = 0; j < nodes; ++j)
-    for (int i = 0; i < nodes; ++i) {
-      double dot = 0;
+    for (int i = 0; i < nodes; i += 2) {
+      Pair dots{};
       for (int m = 0; m < patterns; ++m)
-        dot += shapes_[place(i + nodes * m)] * shapes_[place(j + nodes * m)];
-      for (int a = 0; a < d; ++a)
-        k(i * d + a, j * d + a) += secant * scale_ * dot;
+        dots += pair_at(shapes_.data() + i + nodes * m) * shapes_[place(j + nodes * m)];
+      dots *= secant * scale_;
+      double* const block = k.column(j * d) + i * d;
+      for (int a = 0; a < d; ++a) {
+        block[a * k.leading + a] += dots[0];
+        block[a * k.leading + d + a] += dots[1];
+      }
     }
   if (rolls_)
     for (int j = 0; j < nodes; ++j)

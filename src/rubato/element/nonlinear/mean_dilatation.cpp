@@ -10,10 +10,6 @@ namespace {
 
 using Eigen::Matrix3d;
 
-std::size_t place(int q) {
-  return static_cast<std::size_t>(q);
-}
-
 /// F⁻ᵀ of F = 1 + H.
 Matrix3d inverse_transposed(const Matrix3d& h) {
   Square<3> f, inverse;

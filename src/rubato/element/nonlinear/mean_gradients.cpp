@@ -17,7 +17,7 @@ template <int d> Waves<d> waves_of(CellType type) {
 }
 
 /// Nodes by ξ + 2 η + 4 ζ, each 0 or 1.
-template <int d> constexpr std::array<std::size_t, 1 << d> node_of_corner() {
+template <int d> constexpr std::array<std::size_t, 1 << d> nodes_by_corner() {
   if constexpr (d == 2)
     return {0, 1, 3, 2};
   else
@@ -89,7 +89,7 @@ template <> const Waves<3>& waves<3>() {
 
 template <int d> std::array<Three, 1 << d> wave_sums(std::span<const Eigen::Vector3d> points) {
   constexpr std::size_t n = 1 << d;
-  constexpr auto nodes = node_of_corner<d>();
+  constexpr auto nodes = nodes_by_corner<d>();
   std::array<Pair, n> xy;
   std::array<double, n> z{};
   for (std::size_t i = 0; i < n; ++i) {
@@ -110,7 +110,7 @@ template <int d> std::array<Three, 1 << d> wave_sums(std::span<const Eigen::Vect
 template <int d>
 double set_mean_gradients(std::span<const Eigen::Vector3d> points, int stride, double* gradients) {
   constexpr std::size_t n = 1 << d;
-  constexpr auto nodes = node_of_corner<d>();
+  constexpr auto nodes = nodes_by_corner<d>();
   auto c = wave_sums<d>(points);
   for (auto& wave : c)
     for (std::size_t a = 0; a < d; ++a)

@@ -34,13 +34,15 @@ inline double sum_of(Pair pair) {
   return pair[0] + pair[1];
 }
 
+template <class Work, int... i>
+[[gnu::always_inline]] constexpr void unroll(const Work& work, std::integer_sequence<int, i...>) {
+  (work(std::integral_constant<int, i>{}), ...);
+}
+
 /// Calls work(integral_constant 0) … work(integral_constant count − 1): sums in arrays of such indices are
 /// held in registers, those of loops often are not.
-template <int count, class Work> constexpr void unrolled(const Work& work) {
-  [&]<int... i>(std::integer_sequence<int, i...>) {
-    (work(std::integral_constant<int, i>{}), ...);
-  }
-  (std::make_integer_sequence<int, count>{});
+template <int count, class Work> [[gnu::always_inline]] constexpr void unrolled(const Work& work) {
+  unroll(work, std::make_integer_sequence<int, count>{});
 }
 
 /// Σ_i x_i y_i of a number of pairs known at compile time, the sums of both halves first: terms of nodes

@@ -14,10 +14,6 @@ using Eigen::Matrix3d;
 using material::Stress6;
 using material::Tangent6;
 
-std::size_t place(int q) {
-  return static_cast<std::size_t>(q);
-}
-
 /// Of C = 1 + `excess`.
 Stress6 inverse_of(const Matrix3d& excess) {
   Square<3> c, inverse;
