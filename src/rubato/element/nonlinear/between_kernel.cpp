@@ -291,7 +291,7 @@ private:
     for (int i = 0; i < 6; ++i)
       c(i, i) += (i < 3 ? 2 : 1) * correction_;
     Moduli moduli;
-    set_moduli_between(motion_.middle[q], c, motion_.after[q], moduli);
+    set_moduli_between(gradient_of(motion_.middle[q]), c, gradient_of(motion_.after[q]), moduli);
     add_stress_part(tensor_of(stress_[q]), moduli);
     return moduli;
   }

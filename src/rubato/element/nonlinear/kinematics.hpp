@@ -55,11 +55,16 @@ material::Strain6 strain_of(StrainKind kind, Deformation& deformation);
 /// P: σ, F S, or F S of S = 2 T:∂E/∂C.
 Eigen::Matrix3d first_piola(StrainKind kind, const Deformation& deformation, const material::Stress6& stress);
 
-/// ∂E/∂F of Green–Lagrange's strain: dE_MN = sym F_kM dF_kN, engineering shears.
-Eigen::Matrix<double, 6, 9> strain_by_gradient(const Eigen::Matrix3d& f);
+/// F = 1 + H.
+inline Eigen::Matrix3d gradient_of(const Eigen::Matrix3d& h) {
+  Eigen::Matrix3d f = h;
+  for (int i = 0; i < 3; ++i)
+    f(i, i) += 1;
+  return f;
+}
 
-/// B(F)ᵀ C B(F'), B = ∂E/∂F, F = 1 + H.
-void set_moduli_between(const Eigen::Matrix3d& h, const material::Tangent6& c, const Eigen::Matrix3d& other_h,
+/// B(F)ᵀ C B(F') with B = ∂E/∂F of Green–Lagrange's strain: dE_MN = sym F_kM dF_kN, engineering shears.
+void set_moduli_between(const Eigen::Matrix3d& f, const material::Tangent6& c, const Eigen::Matrix3d& other,
                         Moduli& moduli);
 
 /// moduli += δ_ik S_JL.

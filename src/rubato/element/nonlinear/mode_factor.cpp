@@ -35,8 +35,9 @@ ModeFactor::ModeFactor(const MatrixView& matrix, int first, int size) : size_(si
       if (pivot != k)
         for (std::size_t j = 0; j < n; ++j)
           std::swap(columns_[j][k], columns_[j][pivot]);
+      column[k] = 1 / column[k];
       for (std::size_t i = k + 1; i < n; ++i)
-        column[i] /= column[k];
+        column[i] *= column[k];
       for (std::size_t j = k + 1; j < n; ++j)
         for (std::size_t i = k + 1; i < n; ++i)
           columns_[j][i] -= column[i] * columns_[j][k];
@@ -52,7 +53,7 @@ void ModeFactor::solve(ModeValues& values) const {
       for (std::size_t i = j + 1; i < n; ++i)
         values[i] -= columns_[j][i] * values[j];
     for (std::size_t j = n; j-- > 0;) {
-      values[j] /= columns_[j][j];
+      values[j] *= columns_[j][j];
       for (std::size_t i = 0; i < j; ++i)
         values[i] -= columns_[j][i] * values[j];
     }

@@ -26,7 +26,7 @@ public:
 
 private:
   int size_;
-  std::array<ModeValues, static_cast<std::size_t>(most_modes_of_cell)> columns_;
+  std::array<ModeValues, static_cast<std::size_t>(most_modes_of_cell)> columns_; ///< 1/pivots on the diagonal
   std::array<std::size_t, static_cast<std::size_t>(most_modes_of_cell)> exchanged_;
 };
 
