@@ -10,20 +10,20 @@ namespace {
 
 using Eigen::Vector3d;
 using test::box_deck;
-using test::model_of;
+using test::located_model;
 using test::resultant;
 using test::two_blocks;
 using test::with;
 
 /// The load's resultant over the box, and the one wanted.
 void expect_resultant(const std::string& loads, const Vector3d& wanted, double t = 0) {
-  const auto model = model_of(box_deck + loads);
+  const auto model = located_model(box_deck + loads);
   const Vector3d sum = resultant(model, external_force(model, t));
   EXPECT_LE((sum - wanted).norm(), 1e-12 * wanted.norm()) << sum.transpose() << "; " << loads;
 }
 
 TEST(Model, NumbersWhatIsFreeAndWhatIsPrescribed) {
-  const auto model = model_of(box_deck);
+  const auto model = located_model(box_deck);
   EXPECT_EQ(model.dofs.dof_count, 3 * 18);
   const auto& reduction = model.reduction;
   EXPECT_EQ(reduction.prescribed().size(), 3U * 6U);
@@ -37,9 +37,9 @@ TEST(Model, NumbersWhatIsFreeAndWhatIsPrescribed) {
 }
 
 TEST(Model, PrescribesDisplacementsByTheirFunctionOfTime) {
-  const auto model = model_of(with(box_deck, "supports:\n",
-                                   "functions: {ramp: {times: [0, 2], values: [0, 1]}}\nsupports:\n"
-                                   "  - {on: end, x: {value: 0.1, function: ramp}}\n"));
+  const auto model = located_model(with(box_deck, "supports:\n",
+                                        "functions: {ramp: {times: [0, 2], values: [0, 1]}}\nsupports:\n"
+                                        "  - {on: end, x: {value: 0.1, function: ramp}}\n"));
   ASSERT_EQ(model.reduction.prescribed().size(), 3U * 6U + 6U);
   const auto imposed = model.reduction.imposed(1.0);
   for (int dof = 0; dof < model.dofs.dof_count; ++dof) {
@@ -62,15 +62,15 @@ TEST(Model, AppliesTheTotalOfEachLoad) {
 }
 
 TEST(Model, WeighsOnlyTheGroupThatGravityIsOn) {
-  const auto model =
-      model_of(with(two_blocks, "  - nodal_force: {on: tip, y: -1e7}", "  - gravity: {on: upper, y: -10}"));
+  const auto model = located_model(
+      with(two_blocks, "  - nodal_force: {on: tip, y: -1e7}", "  - gravity: {on: upper, y: -10}"));
   EXPECT_NEAR(resultant(model, external_force(model, 0))[1], -10 * 7800 * 0.2, 1e-9);
 }
 
 TEST(Model, TakesThicknessIntoMassStiffnessAndLoads) {
   const auto load = with(two_blocks, "nodal_force: {on: tip, y: -1e7}", "pressure: {on: roof, value: 3}");
   for (const double thickness : {1.0, 0.25}) {
-    const auto model = model_of(with(load, "thickness: 1", "thickness: " + std::to_string(thickness)));
+    const auto model = located_model(with(load, "thickness: 1", "thickness: " + std::to_string(thickness)));
     EXPECT_NEAR(model.mass.sum(), 2 * 7800 * 0.4 * thickness, 1e-9);
     EXPECT_NEAR(resultant(model, external_force(model, 0))[1], -3 * thickness, 1e-12);
   }
@@ -78,14 +78,14 @@ TEST(Model, TakesThicknessIntoMassStiffnessAndLoads) {
 
 /// Reaction per unit strain in x of one square held so that it cannot contract in z (plane strain) or can.
 double stiffness_against_stretching(const std::string& physics) {
-  const auto model =
-      model_of("mesh: {generate: [{name: body, rectangle: {from: [0, 0], to: [1, 1]}, divisions: [1, 1]}]}\n"
-               "physics: " +
-               physics +
-               "\n"
-               "materials: {steel: {young: 1000, poisson: 0.25, cells: all}}\n"
-               "supports: [{on: body, fix: [x, y]}]\n"
-               "time: {scheme: static, step: 1, end: 1}\n");
+  const auto model = located_model(
+      "mesh: {generate: [{name: body, rectangle: {from: [0, 0], to: [1, 1]}, divisions: [1, 1]}]}\n"
+      "physics: " +
+      physics +
+      "\n"
+      "materials: {steel: {young: 1000, poisson: 0.25, cells: all}}\n"
+      "supports: [{on: body, fix: [x, y]}]\n"
+      "time: {scheme: static, step: 1, end: 1}\n");
   Eigen::VectorXd stretched = Eigen::VectorXd::Zero(model.dofs.dof_count);
   for (const auto node : model.dofs.nodes)
     stretched[model.dofs.dof(node, 0)] = model.mesh.points[static_cast<std::size_t>(node)][0];
@@ -98,19 +98,19 @@ TEST(Model, TellsPlaneStrainFromPlaneStress) {
 }
 
 TEST(Model, GivesTheRingOfAnAxisymmetricBodyItsWholeMass) {
-  const auto model =
-      model_of("mesh: {generate: [{name: body, rectangle: {from: [1, 0], to: [3, 2]}, divisions: [2, 2]}]}\n"
-               "physics: axisymmetric\n"
-               "materials: {steel: {young: 1000, poisson: 0.25, density: 2, cells: all}}\n"
-               "supports: [{on: N1, fix: [x, y]}]\n"
-               "time: {scheme: newmark, step: 1, end: 1}\n");
+  const auto model = located_model(
+      "mesh: {generate: [{name: body, rectangle: {from: [1, 0], to: [3, 2]}, divisions: [2, 2]}]}\n"
+      "physics: axisymmetric\n"
+      "materials: {steel: {young: 1000, poisson: 0.25, density: 2, cells: all}}\n"
+      "supports: [{on: N1, fix: [x, y]}]\n"
+      "time: {scheme: newmark, step: 1, end: 1}\n");
   EXPECT_NEAR(model.mass.sum() / 2, 2 * std::numbers::pi * (9 - 1) * 2, 1e-9);
 }
 
 TEST(Model, KeepsTheMaterialsOfDifferentBodiesApart) {
   const auto model =
-      model_of(with(two_blocks, "cells: all}",
-                    "cells: upper}\n  foam: {young: 1e6, poisson: 0, density: 10, cells: lower}"));
+      located_model(with(two_blocks, "cells: all}",
+                         "cells: upper}\n  foam: {young: 1e6, poisson: 0, density: 10, cells: lower}"));
   EXPECT_NEAR(model.mass.sum(), 2 * (7800 + 10) * 0.2, 1e-9);
   ASSERT_EQ(model.bulk.cells.size(), 16U);
   const auto& lower = model.mesh.cell_group("lower")->items;
@@ -121,15 +121,15 @@ TEST(Model, KeepsTheMaterialsOfDifferentBodiesApart) {
 
 TEST(Model, DampsByEachMaterialsOwnCoefficients) {
   const auto model =
-      model_of(with(box_deck, "density: 7800", "density: 7800, rayleigh: {stiffness: 2e-3, mass: 5}"));
+      located_model(with(box_deck, "density: 7800", "density: 7800, rayleigh: {stiffness: 2e-3, mass: 5}"));
   const SparseMatrix wanted = 2e-3 * model.domain.initial_tangent() + 5 * model.mass;
   EXPECT_LE((model.damping - wanted).norm(), 1e-12 * wanted.norm());
-  EXPECT_EQ(model_of(box_deck).damping.nonZeros(), 0);
+  EXPECT_EQ(located_model(box_deck).damping.nonZeros(), 0);
 }
 
 TEST(Model, AddsItsSpringsToTheStiffness) {
-  const auto free = model_of(box_deck);
-  const auto sprung = model_of(box_deck + "springs: [{on: end, x: 3, z: 5}, {on: ridge, z: 2}]\n");
+  const auto free = located_model(box_deck);
+  const auto sprung = located_model(box_deck + "springs: [{on: end, x: 3, z: 5}, {on: ridge, z: 2}]\n");
   const SparseMatrix added = sprung.domain.initial_tangent() - free.domain.initial_tangent();
   EXPECT_NEAR(added.sum(), 6 * (3 + 5) + 2 * 2, 1e-3); // rounding of a stiffness of 1e11
   for (const auto& spring : sprung.springs)
@@ -139,10 +139,10 @@ TEST(Model, AddsItsSpringsToTheStiffness) {
 TEST(Model, BeginsAsTheDeckSaysAndElsewhereAtRest) {
   const auto free = with(two_blocks, "{left: held, top: lower_face}", "{top: lower_face}");
   const auto model =
-      model_of(with(free, "contact:\n",
-                    "initial:\n"
-                    "  - {on: lower, velocity: {y: 3}}\n"
-                    "  - {on: tip, displacement: {x: 1e-3, y: 0}, velocity: {x: 2}}\ncontact:\n"));
+      located_model(with(free, "contact:\n",
+                         "initial:\n"
+                         "  - {on: lower, velocity: {y: 3}}\n"
+                         "  - {on: tip, displacement: {x: 1e-3, y: 0}, velocity: {x: 2}}\ncontact:\n"));
   const auto tip = model.probe_nodes.at(0).front();
   EXPECT_EQ(model.initial.displacement[model.dofs.dof(tip, 0)], 1e-3);
   EXPECT_EQ(model.initial.velocity[model.dofs.dof(tip, 0)], 2);
@@ -151,7 +151,7 @@ TEST(Model, BeginsAsTheDeckSaysAndElsewhereAtRest) {
 }
 
 TEST(Model, NumbersTheMultipliersOfItsZonesOneAfterAnother) {
-  const auto model = model_of(
+  const auto model = located_model(
       with(two_blocks, "exclude_nodes: [held]}",
            "exclude_nodes: [held]}\n  second: {master: lower_face, slave: upper_face, integration: nodes}"));
   ASSERT_EQ(model.zones.size(), 2U);
@@ -162,13 +162,13 @@ TEST(Model, NumbersTheMultipliersOfItsZonesOneAfterAnother) {
 }
 
 TEST(Model, ExcludesTheNamedNodesFromContact) {
-  const auto model = model_of(two_blocks);
+  const auto model = located_model(two_blocks);
   EXPECT_EQ(std::ranges::count_if(model.zones.at(0).points, &contact::SlavePoint::excluded), 1);
 }
 
 TEST(Model, FindsTheNodesOfItsProbes) {
-  const auto model =
-      model_of(with(two_blocks, "  end: {node: tip}", "  end: {node: tip}\n  near: {point: [0.9, 0.21]}"));
+  const auto model = located_model(
+      with(two_blocks, "  end: {node: tip}", "  end: {node: tip}\n  near: {point: [0.9, 0.21]}"));
   ASSERT_EQ(model.probe_nodes.size(), 2U);
   EXPECT_EQ(model.probe_nodes[0], model.probe_nodes[1]);
   EXPECT_EQ(model.mesh.points[static_cast<std::size_t>(model.probe_nodes[0].front())], Vector3d(1, 0.2, 0));

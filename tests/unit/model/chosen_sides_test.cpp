@@ -42,7 +42,7 @@ const contact::Zone& only_zone(const Model& model) {
 
 std::string fault_of(const std::string& deck) {
   try {
-    test::model_of(deck);
+    test::located_model(deck);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -50,20 +50,21 @@ std::string fault_of(const std::string& deck) {
 }
 
 TEST(ZonesBetweenTwoSurfaces, HaveTheFinerOneAsSlave) {
-  const auto model = test::model_of(deck_of({"between: [foot, table]"}));
+  const auto model = test::located_model(deck_of({"between: [foot, table]"}));
   EXPECT_EQ(only_zone(model).settings.slave, "foot");
   EXPECT_EQ(only_zone(model).settings.master, "table");
   EXPECT_EQ(
       chosen_sides(model.zones),
       std::vector<std::string>{"contact zone touch: 'foot' (4 faces) is the slave of 'table' (2 faces), "
                                "because its faces are finer (0.25 against 1.5)"});
-  const auto other = test::model_of(deck_of({"between: [foot, table]", "[1, 2]", "[6, 2]"}));
+  const auto other = test::located_model(deck_of({"between: [foot, table]", "[1, 2]", "[6, 2]"}));
   EXPECT_EQ(only_zone(other).settings.slave, "table");
 }
 
 TEST(ZonesBetweenTwoSurfaces, HaveTheSofterOneAsSlaveWhereBothAreAsFine) {
   const auto slave = [](double upper, double lower) {
-    return only_zone(test::model_of(deck_of({"between: [foot, table]", "[2, 2]", "[6, 2]", upper, lower})))
+    return only_zone(
+               test::located_model(deck_of({"between: [foot, table]", "[2, 2]", "[6, 2]", upper, lower})))
         .settings.slave;
   };
   EXPECT_EQ(slave(1, 2), "foot");
@@ -72,8 +73,8 @@ TEST(ZonesBetweenTwoSurfaces, HaveTheSofterOneAsSlaveWhereBothAreAsFine) {
 }
 
 TEST(ZonesBetweenTwoSurfaces, HaveNoSlaveThatSupportsHoldWhole) {
-  const auto model =
-      test::model_of(deck_of({"between: [foot, table]", "[1, 1]", "[6, 2]", 1, 1, "lower, fix: [x, y]"}));
+  const auto model = test::located_model(
+      deck_of({"between: [foot, table]", "[1, 1]", "[6, 2]", 1, 1, "lower, fix: [x, y]"}));
   EXPECT_EQ(only_zone(model).settings.slave, "foot");
 }
 
@@ -84,7 +85,7 @@ TEST(ZonesBetweenTwoSurfaces, TellEachFaultOnceAtItsName) {
 }
 
 TEST(ZonesOfAllBodies, AreThoseOfPartsThatFaceEachOther) {
-  const auto model = test::model_of(deck_of({"all: true"}));
+  const auto model = test::located_model(deck_of({"all: true"}));
   const auto& zone = only_zone(model);
   EXPECT_EQ(zone.settings.name, "touch_upper_lower");
   EXPECT_EQ(zone.settings.slave, "upper");
@@ -95,7 +96,7 @@ TEST(ZonesOfAllBodies, AreThoseOfPartsThatFaceEachOther) {
 
 /// The sides of the upper block see those of the walls; the lower block is between all of them.
 TEST(ZonesOfAllBodies, HaveASlaveOnceWhateverItTouches) {
-  const auto model = test::model_of(R"(mesh:
+  const auto model = test::located_model(R"(mesh:
   generate:
     - {name: floor, rectangle: {from: [0, 0], to: [3, 1]}, divisions: [3, 1], sides: {bottom: ground}}
     - {name: wall, rectangle: {from: [2.5, 1], to: [3, 2]}, divisions: [1, 2], sides: {right: back}}

@@ -41,7 +41,8 @@ struct Named {
 class RedistributedMass : public testing::TestWithParam<Named> {
 protected:
   Model model(const std::string& contact_mass, int layers = 10) const {
-    return test::model_of(deck(GetParam().physics, GetParam().shape, GetParam().cells, layers, contact_mass));
+    return test::located_model(
+        deck(GetParam().physics, GetParam().shape, GetParam().cells, layers, contact_mass));
   }
   /// 1, x, y, z at the nodes, in the first direction of motion.
   static MatrixXd monomials(const Model& model) {
@@ -115,7 +116,7 @@ TEST(RedistributedMass, NeedsAnInside) {
   const std::string sides = "{bottom: high_bottom}";
   text.replace(text.find(sides), sides.size(), "{bottom: high_bottom, top: high_bottom}");
   try {
-    test::model_of(text);
+    test::located_model(text);
     FAIL() << "nothing is left that could carry it";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("no nodes but on its contact surface"), std::string::npos)

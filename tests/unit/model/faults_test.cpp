@@ -11,14 +11,14 @@ namespace rubato::model::faults_test {
 namespace {
 
 using test::fault_of;
-using test::model_of;
+using test::located_model;
 using test::study_of;
 using test::two_blocks;
 using test::with;
 
 std::vector<Fault> faults_of(const std::string& deck) {
   try {
-    model_of(deck);
+    located_model(deck);
   } catch (const InputError& error) {
     return error.faults();
   }
@@ -46,7 +46,7 @@ const std::string& weightless_lower() {
 }
 
 TEST(Weightless, BodiesMustBeHeldWhole) {
-  const auto fault = fault_of([] { model_of(weightless_lower()); });
+  const auto fault = fault_of([] { located_model(weightless_lower()); });
   EXPECT_NE(fault.find("materials.die.density: found 0, but node N"), std::string::npos) << fault;
   EXPECT_NE(
       fault.find(" can move in x; expected more than 0, or supports that hold every node of its cells in "
@@ -55,12 +55,12 @@ TEST(Weightless, BodiesMustBeHeldWhole) {
       << fault;
   const auto half = with(weightless_lower(), "  - {on: held, fix: [x, y]}",
                          "  - {on: held, fix: [x, y]}\n  - {on: lower, fix: x}");
-  EXPECT_NE(fault_of([&] { model_of(half); }).find(" can move in y; "), std::string::npos);
+  EXPECT_NE(fault_of([&] { located_model(half); }).find(" can move in y; "), std::string::npos);
 }
 
 TEST(BadProbe, OnManyNodesIsToldOfTake) {
   for (const auto* place : {"{node: roof}", "{on: roof}"}) {
-    const auto fault = fault_of([&] { model_of(with(two_blocks, "{node: tip}", place)); });
+    const auto fault = fault_of([&] { located_model(with(two_blocks, "{node: tip}", place)); });
     EXPECT_NE(
         fault.find("probe 'end': group 'roof' has 5 nodes, expected one, or what is taken of them: {on: "
                    "roof, take: sum}, mean, min or max"),
@@ -153,7 +153,7 @@ TEST(BadModel, OfSeveralStudiesTellsCommonFaultsOnce) {
 
 TEST(BadModel, OfAMeshFileIsToldAtItsName) {
   const auto deck = "mesh: {file: /nowhere/none.med}\n" + two_blocks.substr(two_blocks.find("physics"));
-  EXPECT_EQ(fault_of([&] { model_of(deck); }),
+  EXPECT_EQ(fault_of([&] { located_model(deck); }),
             "deck.yaml:1:14: mesh file '/nowhere/none.med' does not exist");
 }
 

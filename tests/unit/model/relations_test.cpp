@@ -55,7 +55,7 @@ void for_each_node(const Model& model, const std::function<bool(const Vector3d&)
 
 std::string told_by(const std::string& deck) {
   try {
-    test::model_of(deck);
+    test::located_model(deck);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -63,7 +63,7 @@ std::string told_by(const std::string& deck) {
 }
 
 TEST(ObliqueSupports, HoldNodesAlongADirection) {
-  const auto model = test::model_of(
+  const auto model = test::located_model(
       deck_of("supports: [{on: right, along: [3, 0, 4], value: {value: 0.5, function: ramp}}]"));
   const auto u = some_displacements(model, 2);
   for_each_node(
@@ -77,7 +77,7 @@ TEST(ObliqueSupports, HoldNodesAlongADirection) {
 TEST(ObliqueSupports, HoldFacesAlongTheirNormals) {
   for (const auto* cells : {"hexa8", "hexa20", "hexa27", "tetra10"}) {
     const auto model =
-        test::model_of(deck_of("supports: [{on: roof, along: normal, value: \"x*t\"}]", cells));
+        test::located_model(deck_of("supports: [{on: roof, along: normal, value: \"x*t\"}]", cells));
     const auto u = some_displacements(model, 3);
     for_each_node(
         model, [](const Vector3d& x) { return x[1] == 1; },
@@ -88,7 +88,7 @@ TEST(ObliqueSupports, HoldFacesAlongTheirNormals) {
 /// A plane that stands at 45°, and what its faces meet at the edges.
 TEST(ObliqueSupports, HoldEdgesAlongTheNormalsOfBothSides) {
   const auto model =
-      test::model_of(deck_of("supports: [{on: right, along: normal}, {on: roof, along: normal}]"));
+      test::located_model(deck_of("supports: [{on: right, along: normal}, {on: roof, along: normal}]"));
   const auto u = some_displacements(model, 0);
   for_each_node(
       model, [](const Vector3d& x) { return x[0] == 1 && x[1] == 1; },
@@ -99,7 +99,7 @@ TEST(ObliqueSupports, HoldEdgesAlongTheNormalsOfBothSides) {
 }
 
 TEST(Relations, KeepAnEquation) {
-  const auto model = test::model_of(
+  const auto model = test::located_model(
       deck_of("relations: {lever: {equation: {terms: [{on: tip, x: 1, y: -2}, {on: origin, z: 4}], value: "
               "{value: 0.5, function: ramp}}}}"));
   const auto u = some_displacements(model, 2);
@@ -109,7 +109,7 @@ TEST(Relations, KeepAnEquation) {
 }
 
 TEST(Relations, KeepAGroupTogetherInTheComponentsThatAreNamed) {
-  const auto model = test::model_of(deck_of("relations: {flat: {equal: {on: roof, in: [y, z]}}}"));
+  const auto model = test::located_model(deck_of("relations: {flat: {equal: {on: roof, in: [y, z]}}}"));
   const auto u = some_displacements(model, 0);
   const auto tip = at(model, u, model.mesh.node_group("tip")->items.front());
   bool differs = false;
@@ -125,7 +125,7 @@ TEST(Relations, KeepAGroupTogetherInTheComponentsThatAreNamed) {
 
 /// All three pairs of faces: edges and corners have equations that follow from others.
 TEST(Relations, PairOppositeFacesNodeByNode) {
-  const auto model = test::model_of(deck_of(
+  const auto model = test::located_model(deck_of(
       "relations: {x: {pairs: {on: right, with: left, difference: {x: {value: 0.1, function: ramp}}}}, y: "
       "{pairs: {on: roof, with: floor}}, z: {pairs: {on: front, with: back}}}"));
   const auto u = some_displacements(model, 3);
@@ -148,7 +148,7 @@ TEST(Relations, PairOppositeFacesNodeByNode) {
 TEST(Relations, MoveRigidGroupsWithTheirReference) {
   for (const auto* more : {"relations: {hub: {rigid: {on: right}}}",
                            "relations: {hub: {rigid: {on: right, at: [2, 0.5, 3]}}}"}) {
-    const auto model = test::model_of(deck_of(more));
+    const auto model = test::located_model(deck_of(more));
     EXPECT_EQ(model.reduction.unknown_count(), 81 - 27 + 6);
     const auto& hub = model.references.front();
     const auto u = some_displacements(model, 0);
@@ -165,7 +165,7 @@ TEST(Relations, MoveRigidGroupsWithTheirReference) {
 
 TEST(Relations, HoldAndTurnReferences) {
   for (const auto* kind : {"rigid", "distributed"}) {
-    const auto model = test::model_of(deck_of(
+    const auto model = test::located_model(deck_of(
         fmt::format("relations: {{hub: {{{}: {{on: right}}}}}}\nsupports: [{{on: hub, fix: [x, y], turn: "
                     "{{z: {{value: 0.01, function: ramp}}, x: 0}}}}]",
                     kind)));
@@ -182,9 +182,9 @@ TEST(Relations, HoldAndTurnReferences) {
 
 /// Forces and moments on a reference have the resultant that they say.
 TEST(Relations, HandForcesAndMomentsOnToTheGroup) {
-  const auto model = test::model_of(deck_of("relations: {hub: {distributed: {on: right, at: [1, 0.7, "
-                                            "0.2]}}}\nloads: [{nodal_force: {on: hub, x: 3, y: "
-                                            "-1}}, {moment: {on: hub, x: 2, z: -5}}]"));
+  const auto model = test::located_model(deck_of("relations: {hub: {distributed: {on: right, at: [1, 0.7, "
+                                                 "0.2]}}}\nloads: [{nodal_force: {on: hub, x: 3, y: "
+                                                 "-1}}, {moment: {on: hub, x: 2, z: -5}}]"));
   const auto force = external_force(model, 1);
   Vector3d moment = Vector3d::Zero();
   for (const auto node : model.dofs.nodes)
@@ -218,7 +218,7 @@ TEST(Relations, RefuseGroupsThatDoNotMatch) {
 
 TEST(Relations, OfALineTellNoRotation) {
   const std::string line = "relations: {hub: {rigid: {on: ridge}}}\n";
-  EXPECT_EQ(test::model_of(deck_of(line)).reduction.unknown_count(), 81 - 9 + 5);
+  EXPECT_EQ(test::located_model(deck_of(line)).reduction.unknown_count(), 81 - 9 + 5);
   EXPECT_EQ(told_by(deck_of(line + "loads: [{moment: {on: hub, z: 1}}]")),
             "deck.yaml:10:23: the nodes of 'hub' lie on a line or in a point, which take no moment");
   EXPECT_EQ(

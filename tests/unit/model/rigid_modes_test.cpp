@@ -9,7 +9,7 @@ namespace rubato::model::rigid_modes_test {
 namespace {
 
 using test::fault_of;
-using test::model_of;
+using test::located_model;
 using test::with;
 
 /// The lower block is held; of the upper one the left side lies on nothing but contact.
@@ -20,7 +20,7 @@ const std::string resting =
          "nodal_force: {on: tip, y: -1e7}", "pressure: {on: roof, value: 1e6}");
 
 bool is_held(const std::string& deck) {
-  const auto fault = fault_of([&] { model_of(deck); });
+  const auto fault = fault_of([&] { located_model(deck); });
   EXPECT_TRUE(fault == "nothing thrown" || fault.find("is not held") != std::string::npos) << fault;
   return fault == "nothing thrown";
 }
@@ -45,7 +45,7 @@ TEST(StaticBody, WithoutSupportsIsNamedByANodeOfIts) {
   auto apart =
       with(resting, "rectangle: {from: [0, 0], to: [1, 0.2]}", "rectangle: {from: [0, 5], to: [1, 5.2]}");
   apart.erase(apart.find("contact:"), apart.find("time:") - apart.find("contact:"));
-  const auto fault = fault_of([&] { model_of(apart); });
+  const auto fault = fault_of([&] { located_model(apart); });
   EXPECT_NE(fault.find("the body 'upper' (of node N1 (0, 5)) is not held"), std::string::npos) << fault;
   EXPECT_NE(fault.find("by turning about z, along y, along x"), std::string::npos) << fault;
   EXPECT_TRUE(fault.starts_with("deck.yaml:21:")) << fault;
@@ -96,7 +96,7 @@ TEST(StaticBody, MayRestOnAnObstacle) {
 }
 
 TEST(StaticBody, IsToldAlongWhatNothingHoldsIt) {
-  const auto told = [](const std::string& deck) { return fault_of([&] { model_of(deck); }); };
+  const auto told = [](const std::string& deck) { return fault_of([&] { located_model(deck); }); };
   const auto smooth = with(resting, ", friction: 0.2", "");
   EXPECT_NE(told(smooth).find("as a rigid body along x, and"), std::string::npos) << told(smooth);
   const auto box = with(test::box_deck, "{scheme: hht, alpha: 0, step: 1e-4, end: 4e-4}",
@@ -107,19 +107,20 @@ TEST(StaticBody, IsToldAlongWhatNothingHoldsIt) {
 
 /// Contact is not counted: in a static run these bodies get weak springs to start with.
 TEST(StaticBody, IsFreeWhereOnlyContactHoldsIt) {
-  const auto model = model_of(resting);
+  const auto model = located_model(resting);
   ASSERT_FALSE(model.free_body_nodes.empty());
   for (const auto node : model.free_body_nodes)
     EXPECT_GE(model.mesh.points[static_cast<std::size_t>(node)].y(), 0) << node;
-  EXPECT_TRUE(model_of(with(resting, "{scheme: static, step: 1, end: 1}",
-                            "{scheme: hht, alpha: -0.1, step: 1e-4, end: 4e-4}"))
+  EXPECT_TRUE(located_model(with(resting, "{scheme: static, step: 1, end: 1}",
+                                 "{scheme: hht, alpha: -0.1, step: 1e-4, end: 4e-4}"))
                   .free_body_nodes.empty());
 }
 
 TEST(DynamicBody, NeedsNoHolds) {
-  EXPECT_EQ(
-      fault_of([] { model_of(with(test::box_deck, "supports:\n  - {on: held, fix: [x, y, z]}\n", "")); }),
-      "nothing thrown");
+  EXPECT_EQ(fault_of([] {
+              located_model(with(test::box_deck, "supports:\n  - {on: held, fix: [x, y, z]}\n", ""));
+            }),
+            "nothing thrown");
 }
 
 } // namespace

@@ -17,7 +17,7 @@ namespace rubato::model::rigid_motions_test {
 namespace {
 
 using Eigen::Vector3d;
-using test::model_of;
+using test::located_model;
 
 /// Two squares of side 1 with a gap between them, in a run that lets them be loose.
 std::string squares(const std::string& supports, const std::string& contact = "",
@@ -40,7 +40,7 @@ const std::string low_held = "{on: ground, fix: [x, y]}";
 const std::string both_held = low_held + ", {on: roof, fix: [x, y]}";
 
 TEST(RigidMotions, OfFreeBodiesAreAllThatBodiesHave) {
-  const auto model = model_of(squares(""));
+  const auto model = located_model(squares(""));
   const RigidMotions motions(model);
   EXPECT_EQ(motions.bodies().count(), 2);
   EXPECT_EQ(motions.held(), (std::vector<char>{0, 0}));
@@ -50,7 +50,7 @@ TEST(RigidMotions, OfFreeBodiesAreAllThatBodiesHave) {
 }
 
 TEST(RigidMotions, KeepDistances) {
-  const auto model = model_of(test::box_deck);
+  const auto model = located_model(test::box_deck);
   const RigidMotions motions(model);
   const auto all = motions.all_of(0);
   ASSERT_EQ(all.size(), 6U);
@@ -69,7 +69,7 @@ TEST(RigidMotions, KeepDistances) {
 
 TEST(RigidMotions, AreResistedBySupports) {
   const auto held = [](const std::string& supports) {
-    const auto model = model_of(squares(supports));
+    const auto model = located_model(squares(supports));
     RigidMotions motions(model);
     motions.add_supports();
     return motions.held();
@@ -82,7 +82,7 @@ TEST(RigidMotions, AreResistedBySupports) {
 
 /// Where the body is held does not move, wherever the model's centre is.
 TEST(ALooseBody, TurnsAboutThePointThatHoldsIt) {
-  const auto model = model_of(squares("{on: corner, fix: [x, y]}, {on: roof, fix: [x, y]}"));
+  const auto model = located_model(squares("{on: corner, fix: [x, y]}, {on: roof, fix: [x, y]}"));
   RigidMotions motions(model);
   motions.add_supports();
   const auto loose = motions.loose_alone();
@@ -96,7 +96,7 @@ TEST(ALooseBody, TurnsAboutThePointThatHoldsIt) {
 }
 
 TEST(ALooseBody, SlidesAlongWhatHoldsIt) {
-  const auto model = model_of(squares("{on: ground, fix: y}, {on: roof, fix: [x, y]}"));
+  const auto model = located_model(squares("{on: ground, fix: y}, {on: roof, fix: [x, y]}"));
   RigidMotions motions(model);
   motions.add_supports();
   const auto loose = motions.loose();
@@ -108,7 +108,7 @@ TEST(ALooseBody, SlidesAlongWhatHoldsIt) {
 
 TEST(RigidMotions, AreResistedByContactAcrossAndWithFrictionAlong) {
   const auto loose = [](const std::string& contact) {
-    const auto model = model_of(squares(low_held, contact));
+    const auto model = located_model(squares(low_held, contact));
     RigidMotions motions(model);
     motions.add_supports();
     motions.add_contact();
@@ -124,7 +124,7 @@ TEST(RigidMotions, AreResistedByContactAcrossAndWithFrictionAlong) {
 
 /// Contact of two bodies that nothing holds: they go together.
 TEST(RigidMotions, OfBodiesTogetherAreNotResistedByTheirContact) {
-  const auto model = model_of(squares("", ", friction: 0.3"));
+  const auto model = located_model(squares("", ", friction: 0.3"));
   RigidMotions motions(model);
   motions.add_supports();
   motions.add_contact();
@@ -133,7 +133,7 @@ TEST(RigidMotions, OfBodiesTogetherAreNotResistedByTheirContact) {
 }
 
 TEST(RigidMotions, OfAxisymmetryAreOneAlongTheAxis) {
-  const auto model = model_of(squares("{on: corner, fix: x}", "", "axisymmetric"));
+  const auto model = located_model(squares("{on: corner, fix: x}", "", "axisymmetric"));
   RigidMotions motions(model);
   motions.add_supports();
   const auto loose = motions.loose_alone();
@@ -145,7 +145,7 @@ TEST(RigidMotions, OfAxisymmetryAreOneAlongTheAxis) {
 }
 
 TEST(MotionsToldApart, SpanTheSameEachAboutAnAxisOfItsOwn) {
-  const auto model = model_of(test::box_deck);
+  const auto model = located_model(test::box_deck);
   const RigidMotions motions(model);
   const auto all = motions.all_of(0);
   // Mixed: two turns and a shift.
@@ -176,8 +176,8 @@ TEST(TheTextOfADirection, NamesAxesAndOtherDirections) {
 }
 
 TEST(LooseBodies, AreTheirFirstNodesWithWhatHasToHoldThem) {
-  EXPECT_TRUE(loose_bodies(model_of(squares(both_held))).empty());
-  const auto model = model_of(squares(low_held));
+  EXPECT_TRUE(loose_bodies(located_model(squares(both_held))).empty());
+  const auto model = located_model(squares(low_held));
   const auto loose = loose_bodies(model);
   ASSERT_EQ(loose.size(), 1U);
   EXPECT_EQ(loose[0].node, Bodies(model.mesh, model.bulk).first_node(1));

@@ -32,7 +32,7 @@ time: {scheme: static, step: 1, end: 1}
 }
 
 bool are_soft(const std::string& deck) {
-  const auto model = test::model_of(deck);
+  const auto model = test::located_model(deck);
   EXPECT_FALSE(model.springs.empty());
   const auto soft = std::ranges::count_if(model.springs, &Spring::soft);
   EXPECT_TRUE(soft == 0 || soft == static_cast<std::ptrdiff_t>(model.springs.size()));
@@ -54,7 +54,7 @@ TEST(SoftSprings, OfAxisymmetryAreMeasuredByTheWayRound) {
 }
 
 TEST(SoftSprings, DoNotHoldTheirBodyBesideContact) {
-  const auto model = test::model_of(blocks(1e-3));
+  const auto model = test::located_model(blocks(1e-3));
   RigidMotions all(model);
   all.add_supports();
   EXPECT_EQ(all.held(), (std::vector<char>{1, 1}));
@@ -62,7 +62,7 @@ TEST(SoftSprings, DoNotHoldTheirBodyBesideContact) {
   firm.add_firm_supports();
   EXPECT_EQ(firm.held(), (std::vector<char>{1, 0}));
   EXPECT_EQ(model.free_body_nodes.size(), 9U);
-  EXPECT_TRUE(test::model_of(blocks(100)).free_body_nodes.empty());
+  EXPECT_TRUE(test::located_model(blocks(100)).free_body_nodes.empty());
 }
 
 TEST(SoftSprings, AreThoseOfBodiesInContactOnly) {

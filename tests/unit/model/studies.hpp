@@ -5,7 +5,6 @@
 #include "rubato/deck/read.hpp"
 #include "rubato/model/model.hpp"
 
-#include "support/model_of.hpp"
 #include "support/two_blocks.hpp"
 #include <string>
 #include <string_view>
@@ -14,6 +13,16 @@ namespace rubato::test {
 
 inline study::Study study_of(std::string_view deck) {
   return deck::parse_deck(deck, "deck.yaml").runs.front();
+}
+
+/// Throws InputError with the places of the deck.
+inline model::Model located_model(std::string_view deck) {
+  const auto read = deck::parse_deck(deck, "deck.yaml");
+  try {
+    return model::build_model(read.runs.front());
+  } catch (const InputError& error) {
+    throw read.places.front().located(error);
+  }
 }
 
 /// Sum over all nodes of the force in x, y, z.

@@ -19,7 +19,7 @@ namespace {
 
 using mesh::NodeIndex;
 using test::fault_of;
-using test::model_of;
+using test::located_model;
 using test::with;
 
 /// Places along x of the nodes of a surface.
@@ -31,7 +31,7 @@ std::set<double> along_x(const Model& model, const contact::Surface& surface) {
 }
 
 TEST(AZone, HasTheFacesOfTheGroupsThatItNames) {
-  const auto model = model_of(test::two_blocks);
+  const auto model = located_model(test::two_blocks);
   ASSERT_EQ(model.zones.size(), 1U);
   const auto& zone = model.zones.front();
   EXPECT_EQ(zone.settings.name, "interface");
@@ -43,14 +43,14 @@ TEST(AZone, HasTheFacesOfTheGroupsThatItNames) {
 }
 
 TEST(AZone, HasTheFrictionOfEachPoint) {
-  EXPECT_TRUE(model_of(test::two_blocks).zones.front().friction_shares.empty());
-  const auto model = model_of(with(test::two_blocks, "friction: 0.2", "friction: 0.1+0.2*x"));
+  EXPECT_TRUE(located_model(test::two_blocks).zones.front().friction_shares.empty());
+  const auto model = located_model(with(test::two_blocks, "friction: 0.2", "friction: 0.1+0.2*x"));
   const auto& zone = model.zones.front();
   ASSERT_EQ(zone.friction_shares.size(), zone.points.size());
   for (std::size_t i = 0; i < zone.points.size(); ++i)
     EXPECT_DOUBLE_EQ(zone.friction_at(i, 0.5), 0.5 * (0.1 + 0.2 * zone.points[i].place.x()));
   EXPECT_EQ(
-      fault_of([] { model_of(with(test::two_blocks, "friction: 0.2", "friction: 0.5-x")); }),
+      fault_of([] { located_model(with(test::two_blocks, "friction: 0.2", "friction: 0.5-x")); }),
       "deck.yaml:22:84: contact.interface.friction: found -0.25 at x = 0.75, y = 0, z = 0, t = 0, expected a "
       "number >= 0");
 }
@@ -58,7 +58,7 @@ TEST(AZone, HasTheFrictionOfEachPoint) {
 TEST(AZone, KnowsWhatSupportsHoldOfItsSlaveNodes) {
   const auto deck = with(test::two_blocks, "  - {on: held, fix: [x, y]}",
                          "  - {on: held, fix: [x, y]}\n  - {on: lower_face, fix: y}");
-  const auto model = model_of(deck);
+  const auto model = located_model(deck);
   const auto& zone = model.zones.front();
   ASSERT_EQ(zone.held.size(), zone.slave.nodes.size());
   for (std::size_t i = 0; i < zone.held.size(); ++i) {
@@ -71,7 +71,7 @@ TEST(AZone, LeavesOutTheNodesOfAllGroupsThatItIsTold) {
   const auto deck = with(with(test::two_blocks, "sides: {left: held, top: lower_face}",
                               "sides: {left: held, top: lower_face}\n      points: {right_top: lower_end}"),
                          "exclude_nodes: [held]", "exclude_nodes: [held, lower_end]");
-  const auto model = model_of(deck);
+  const auto model = located_model(deck);
   std::set<double> excluded;
   for (const auto& point : model.zones.front().points)
     if (point.excluded)
@@ -82,7 +82,7 @@ TEST(AZone, LeavesOutTheNodesOfAllGroupsThatItIsTold) {
 TEST(AZone, HasItsGapAndTheFirstInstantOfTheRun) {
   auto deck = with(test::two_blocks, "friction: 0.2,", "friction: 0.2, gap: 0.03,");
   deck = with(deck, "step: 1e-4, end: 4e-4", "begin: 1, step: 1e-4, end: 1.0004");
-  const auto model = model_of(deck);
+  const auto model = located_model(deck);
   const auto& zone = model.zones.front();
   EXPECT_EQ(zone.begin, 1);
   EXPECT_EQ(zone.offset.at(Eigen::Vector3d::Zero(), 1), 0.03);
@@ -92,7 +92,7 @@ TEST(Zones, StandInTheOrderOfTheStudyEachWithItsMultipliersBehindThoseBefore) {
   const auto deck = with(test::two_blocks, "exclude_nodes: [held]}",
                          "exclude_nodes: [held]}\n  ground: {slave: roof, obstacle: {plane: {point: [0, 5], "
                          "normal: [0, -1]}}}");
-  const auto model = model_of(deck);
+  const auto model = located_model(deck);
   ASSERT_EQ(model.zones.size(), 2U);
   EXPECT_EQ(model.zones[0].settings.name, "interface");
   EXPECT_EQ(model.zones[1].settings.name, "ground");
@@ -103,9 +103,9 @@ TEST(Zones, StandInTheOrderOfTheStudyEachWithItsMultipliersBehindThoseBefore) {
 
 TEST(Zones, TellTheFaultsOfAllOfThem) {
   const auto fault = fault_of([] {
-    model_of(with(test::two_blocks, "exclude_nodes: [held]}",
-                  "exclude_nodes: [held, nobody]}\n  one: {master: nothing, slave: roof}\n"
-                  "  two: {master: upper_face, slave: nowhere}"));
+    located_model(with(test::two_blocks, "exclude_nodes: [held]}",
+                       "exclude_nodes: [held, nobody]}\n  one: {master: nothing, slave: roof}\n"
+                       "  two: {master: upper_face, slave: nowhere}"));
   });
   for (const auto* name : {"'nobody'", "'nothing'", "'nowhere'"})
     EXPECT_NE(fault.find(name), std::string::npos) << fault;
