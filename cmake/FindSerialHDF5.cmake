@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-# HDF5 without MPI.
-#   SerialHDF5::SerialHDF5              to link with
+# HDF5 without MPI, for a program that loads it while it runs:
+#   SerialHDF5_LIBRARY                  the library
 #   serial_hdf5_sources(target file…)   lets these files of a target include hdf5.h
 # Only these files see its header: others of the same target may use the HDF5 that MED was built with.
 find_path(SerialHDF5_INCLUDE_DIR hdf5.h PATH_SUFFIXES hdf5/serial)
@@ -21,11 +21,6 @@ find_package_handle_standard_args(
   REQUIRED_VARS SerialHDF5_LIBRARY SerialHDF5_INCLUDE_DIR
   VERSION_VAR SerialHDF5_VERSION)
 mark_as_advanced(SerialHDF5_INCLUDE_DIR SerialHDF5_LIBRARY)
-
-if(SerialHDF5_FOUND AND NOT TARGET SerialHDF5::SerialHDF5)
-  add_library(SerialHDF5::SerialHDF5 UNKNOWN IMPORTED GLOBAL)
-  set_target_properties(SerialHDF5::SerialHDF5 PROPERTIES IMPORTED_LOCATION ${SerialHDF5_LIBRARY})
-endif()
 
 function(serial_hdf5_sources target)
   list(TRANSFORM ARGN PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
