@@ -18,10 +18,18 @@ class BrokenLibraries : public testing::Test {
 protected:
   BrokenLibraries() { test::write_text(folder_ / "deck.yaml", test::two_blocks); }
 
-  test::Outcome run(const std::vector<std::string>& settings = {}) const {
+  test::Outcome run(const std::vector<std::string>& settings = {},
+                    const std::string& program = RUBATO_PROGRAM) const {
     std::vector<std::string> arguments{"run", "deck.yaml", "-q", "-o", "out"};
     arguments.insert(arguments.end(), settings.begin(), settings.end());
-    return run_program(arguments, folder_.path());
+    return test::Program(arguments, folder_.path(), {}, program).wait();
+  }
+
+  /// The program without the modules that are built with it, so that it loads the HDF5 of the system.
+  std::string program_alone() const {
+    const auto copy = folder_ / "rubato";
+    std::filesystem::copy_file(RUBATO_PROGRAM, copy);
+    return copy.string();
   }
 
   bool has_checkpoint() const { return std::filesystem::exists(folder_ / "out/run/checkpoint.h5"); }
@@ -60,20 +68,36 @@ TEST_F(BrokenLibraries, AreNamedWhereMedFieldsAreWritten) {
 }
 
 TEST_F(BrokenLibraries, AreNamedWhereVtkHdfFieldsAreWritten) {
+  const auto program = program_alone();
   const BrokenLibrary hdf5(RUBATO_HDF5_LIBRARY);
-  expect_refusal(run({"--set", "fields.formats=[vtkhdf]", "--set", "fields.every=1"}),
+  expect_refusal(run({"--set", "fields.formats=[vtkhdf]", "--set", "fields.every=1"}, program),
                  "error: checkpoints and VTKHDF files need the library " RUBATO_HDF5_LIBRARY,
                  "install the Debian package " RUBATO_HDF5_PACKAGE);
 }
 
 TEST_F(BrokenLibraries, CostARunItsCheckpointOnly) {
+  const auto program = program_alone();
   const BrokenLibrary hdf5(RUBATO_HDF5_LIBRARY);
-  const auto outcome = run();
+  const auto outcome = run({}, program);
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_NE(outcome.err.find("no checkpoint was written: checkpoints and VTKHDF files need the library "),
             std::string::npos)
       << outcome.err;
   EXPECT_FALSE(has_checkpoint());
+}
+
+TEST_F(BrokenLibraries, AreReplacedByTheModuleOfHdf5) {
+  if (!std::filesystem::exists(std::filesystem::path(RUBATO_PROGRAM).parent_path() /
+                               "lib/rubato/rubato_hdf5.so"))
+    GTEST_SKIP() << "the module is built where HDF5 has a static library";
+  const BrokenLibrary hdf5(RUBATO_HDF5_LIBRARY);
+  EXPECT_EQ(run().err, "");
+  EXPECT_TRUE(has_checkpoint());
+}
+
+TEST_F(BrokenLibraries, AreNoneWhereTheProgramHasNoModules) {
+  EXPECT_EQ(run({}, program_alone()).err, "");
+  EXPECT_TRUE(has_checkpoint());
 }
 
 TEST_F(BrokenLibraries, AreNamedWherePngFilesAreDrawn) {

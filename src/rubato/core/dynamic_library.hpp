@@ -7,7 +7,7 @@ namespace rubato {
 
 /// A shared library, and the words of the message when it is missing.
 struct LibraryName {
-  const char* soname;         ///< the name that the loader searches for: "libmedC.so.11"
+  const char* soname;         ///< the name that the loader searches for: "libmedC.so.11"; or a path
   const char* package;        ///< the Debian package that has it; empty on other systems
   const char* users;          ///< what needs it, in the plural: "MED files"
   const char* otherwise = ""; ///< what can be done instead of installing it: " or convert the mesh to MED"
