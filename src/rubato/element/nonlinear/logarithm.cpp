@@ -50,20 +50,20 @@ double second_difference_of_close(double a, double b, double c) {
 }
 
 /// A vector of three: two of its numbers are one register.
-struct Three {
+struct SplitVector {
   Pair top;
   double bottom;
 };
 
-Three column_of(const Matrix3d& matrix, int j) {
+SplitVector column_of(const Matrix3d& matrix, int j) {
   const double* const column = matrix.data() + 3 * j;
   return {Pair{column[0], column[1]}, column[2]};
 }
 
 /// Nᵀ T N of a symmetric T.
 Matrix3d turned(const Matrix3d& n, const Matrix3d& t) {
-  const std::array<Three, 3> of_t{column_of(t, 0), column_of(t, 1), column_of(t, 2)};
-  const std::array<Three, 3> of_n{column_of(n, 0), column_of(n, 1), column_of(n, 2)};
+  const std::array<SplitVector, 3> of_t{column_of(t, 0), column_of(t, 1), column_of(t, 2)};
+  const std::array<SplitVector, 3> of_n{column_of(n, 0), column_of(n, 1), column_of(n, 2)};
   Matrix3d out;
   unrolled<3>([&](auto j) {
     const double* const by = n.data() + 3 * j;
