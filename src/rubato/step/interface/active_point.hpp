@@ -46,9 +46,9 @@ void keep_multipliers(ActivePoint& point);
 /// [length/force]. Points that differ little then have equations that differ little.
 void reduce_equations(ActivePoint& point, double compliance);
 
-/// δm of a point whose force changes by `force` while the surface moves by `moved`, one an interface dof.
-contact::PointVector multiplier_change(const ActivePoint& point,
-                                       const Eigen::Ref<const Eigen::VectorXd>& force,
+/// δm of a point whose force changes by `force`, one a component, while the surface moves by `moved`, one an
+/// interface dof.
+contact::PointVector multiplier_change(const ActivePoint& point, const double* force,
                                        const Eigen::VectorXd& moved);
 
 } // namespace rubato::step
