@@ -18,4 +18,7 @@ Eigen::VectorXd transposed_product(const Eigen::MatrixXd& a, const Eigen::Vector
 /// y += A x
 void add_product(const Eigen::MatrixXd& a, const Eigen::VectorXd& x, Eigen::VectorXd& y);
 
+/// The largest magnitude, 0 of no numbers.
+double largest_magnitude(const Eigen::VectorXd& values);
+
 } // namespace rubato::linalg

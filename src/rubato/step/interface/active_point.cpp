@@ -20,13 +20,6 @@ using Eigen::Index;
 /// Equations of size one that differ by less say the same.
 constexpr double no_pivot = 1e-10;
 
-template <class Matrix> double largest_of_row(const Matrix& matrix, Index row) {
-  double largest = 0;
-  for (Index column = 0; column < matrix.cols(); ++column)
-    largest = std::max(largest, std::abs(matrix(row, column)));
-  return largest;
-}
-
 template <class Matrix> bool is_zero_row(const Matrix& matrix, Index row) {
   for (Index column = 0; column < matrix.cols(); ++column)
     if (matrix(row, column) != 0)
@@ -213,9 +206,9 @@ private:
 };
 
 /// Equations of a point, a row each, a right side last.
-class Rows {
+class EquationRows {
 public:
-  Rows(Index count, Index columns)
+  EquationRows(Index count, Index columns)
       : count_(count), columns_(columns), values_(static_cast<std::size_t>(count * columns)) {}
 
   Index count() const { return count_; }
@@ -246,7 +239,7 @@ private:
 
 /// Gauss–Jordan with full pivoting among the unknowns, rows in the order of their pivots. False when some say
 /// the same: they are of no use then.
-bool reduce(Rows& rows, Index unknowns) {
+bool reduce(EquationRows& rows, Index unknowns) {
   std::array<Index, 3> pivots{};
   const Index count = rows.count();
   for (Index row = 0; row < count; ++row) {
@@ -317,7 +310,7 @@ void reduce_equations(ActivePoint& point, double compliance) {
   const Index d = point.components();
   auto& left = point.rows.left;
   const Index unknowns = d + left.cols();
-  Rows all(d, unknowns + 1);
+  EquationRows all(d, unknowns + 1);
   for (Index row = 0; row < d; ++row) {
     double* const to = all.row(row);
     for (Index c = 0; c < d; ++c)

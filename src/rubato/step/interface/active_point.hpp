@@ -9,6 +9,8 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -34,6 +36,14 @@ struct ActivePoint {
   int components() const { return response.components; }
   int n_xi() const { return response.n_xi; }
 };
+
+/// The largest magnitude.
+template <class Matrix> double largest_of_row(const Matrix& matrix, Eigen::Index row) {
+  double largest = 0;
+  for (Eigen::Index column = 0; column < matrix.cols(); ++column)
+    largest = std::max(largest, std::abs(matrix(row, column)));
+  return largest;
+}
 
 /// Takes the combinations of δz − Z_q δq − Z_m δm = 0 and −E_q δq − E_m δm = e that have no δm.
 void eliminate_multipliers(ActivePoint& point);

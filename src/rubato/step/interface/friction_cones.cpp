@@ -33,13 +33,6 @@ constexpr double augmentation = 10;
 /// Of a point with two or three components: a column each.
 using PointMatrix = std::array<std::array<double, 3>, 3>;
 
-double largest_of(const VectorXd& values) {
-  double largest = 0;
-  for (const double value : values)
-    largest = std::max(largest, std::abs(value));
-  return largest;
-}
-
 /// Newton's method on F = projection of F − augmentation w, friction's limit following the pressing force.
 class Iteration {
 public:
@@ -50,7 +43,7 @@ public:
   bool run(Progress& progress) {
     linearise(forces_);
     for (int round = 0; round < most_newton_steps && progress.report() && left_.allFinite(); ++round) {
-      if (largest_of(left_) <= tolerance * largest_of(forces_)) {
+      if (linalg::largest_magnitude(left_) <= tolerance * linalg::largest_magnitude(forces_)) {
         forces_ -= left_;
         return true;
       }

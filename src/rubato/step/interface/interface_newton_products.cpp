@@ -24,13 +24,6 @@ double mean_diagonal(const linalg::SparseMatrix& matrix) {
   return sum / static_cast<double>(matrix.cols());
 }
 
-template <class Matrix> double largest_of_row(const Matrix& matrix, Index row) {
-  double largest = 0;
-  for (Index column = 0; column < matrix.cols(); ++column)
-    largest = std::max(largest, std::abs(matrix(row, column)));
-  return largest;
-}
-
 } // namespace
 
 std::optional<InterfaceNewtonSystem::Change>

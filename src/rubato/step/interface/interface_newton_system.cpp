@@ -63,13 +63,6 @@ void copy_column(MatrixXd& matrix, Index from, Index to) {
   std::copy_n(matrix.data() + from * matrix.rows(), matrix.rows(), matrix.data() + to * matrix.rows());
 }
 
-double largest_of(const VectorXd& values) {
-  double largest = 0;
-  for (const double value : values)
-    largest = std::max(largest, std::abs(value));
-  return largest;
-}
-
 /// y_i = a_i x_i
 VectorXd scaled(const VectorXd& by, VectorXd values) {
   for (Index i = 0; i < values.size(); ++i)
@@ -373,7 +366,7 @@ std::optional<InterfaceNewtonSystem::Change> InterfaceNewtonSystem::refined(cons
   for (int round = 0; round < rounds; ++round) {
     const auto left = residual(c, change);
     const double size = largest_row(left);
-    const double moves = largest_of(left.xi);
+    const double moves = linalg::largest_magnitude(left.xi);
     if (round == 0)
       first = size;
     const double error = first > 0 ? std::max(size / first, moves) : moves;
@@ -447,7 +440,7 @@ VectorXd InterfaceNewtonSystem::motion(const Change& change) const {
     for (std::size_t q = 0; q < point.rows.active_dofs.size(); ++q)
       force[point.rows.active_dofs[q]] += force_of.on(q);
   }
-  if (largest_of(force) == 0)
+  if (linalg::largest_magnitude(force) == 0)
     return force;
   VectorXd moved;
   surface_.multiply(force, moved);

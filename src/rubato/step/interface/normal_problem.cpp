@@ -40,13 +40,6 @@ bool is_nowhere_negative(const VectorXd& values) {
   return std::ranges::all_of(values, [](double value) { return value >= 0; });
 }
 
-double largest_of(const VectorXd& values) {
-  double largest = 0;
-  for (const double value : values)
-    largest = std::max(largest, std::abs(value));
-  return largest;
-}
-
 /// Primal-dual active set from what the sweeps have found; keeps that when the set doesn't settle. Whether it
 /// does.
 bool normal_active_set(const MatrixXd& matrix, const VectorXd& gaps, VectorXd& settled, Progress& progress) {
@@ -130,7 +123,7 @@ private:
     for (const auto k : set_)
       open[k] = 0;
     Index worst = -1;
-    double least = -rounding * largest_of(values_);
+    double least = -rounding * linalg::largest_magnitude(values_);
     for (Index k = 0; k < open.size(); ++k)
       if (matrix_(k, k) > 0 && open[k] < least) {
         least = open[k];
@@ -156,7 +149,9 @@ struct Gradients {
     for (Index i = 0; i < x.size(); ++i)
       (x[i] > 0 ? free[i] : chopped[i]) = x[i] > 0 ? gradient[i] : std::min(gradient[i], 0.0);
   }
-  double largest() const { return std::max(largest_of(free), largest_of(chopped)); }
+  double largest() const {
+    return std::max(linalg::largest_magnitude(free), linalg::largest_magnitude(chopped));
+  }
   /// The free gradient as far as one step of that length can follow it.
   VectorXd reduced_free(const VectorXd& x, double length) const {
     VectorXd reduced = free;
@@ -173,7 +168,7 @@ public:
   Minimisation(const NormalProducts& products, const VectorXd& values, VectorXd start)
       : products_(products), values_(values), x_(std::move(start)) {
     gradient_ = values;
-    if (largest_of(x_) != 0)
+    if (linalg::largest_magnitude(x_) != 0)
       gradient_ += product(x_);
     length_ = 1 / operator_norm();
   }
@@ -303,7 +298,7 @@ bool conjugate_gradients(const MatrixXd& matrix, const VectorXd& values, VectorX
     for (Index i = 0; i < count; ++i)
       among(i, j) = matrix(points[static_cast<std::size_t>(i)], point);
   }
-  const CgLimits limits{gap_tolerance * largest_of(gaps),
+  const CgLimits limits{gap_tolerance * linalg::largest_magnitude(gaps),
                         least_iterations + iterations_per_unknown * static_cast<int>(count)};
   const auto found = minimise_over_nonnegative(among, gaps, std::move(start), limits, progress);
   if (!found)

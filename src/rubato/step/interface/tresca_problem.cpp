@@ -22,7 +22,7 @@ constexpr int most_friction_sweeps = 50;
 constexpr double good_friction = 1e-2;
 constexpr int most_stick_sets = 30;
 
-double largest_of(const VectorXd& values) {
+double largest_value(const VectorXd& values) {
   double largest = -std::numeric_limits<double>::infinity();
   for (const double value : values)
     largest = std::max(largest, value);
@@ -58,7 +58,7 @@ void tresca_active_set(const MatrixXd& matrix, const VectorXd& slips, const Vect
     double change = 0;
     for (Index k = 0; k < forces.size(); ++k)
       change = std::max(change, std::abs(next[k] - forces[k]));
-    const bool same = change <= 1e-9 * largest_of(limits);
+    const bool same = change <= 1e-9 * largest_value(limits);
     forces = next;
     moved = slips;
     linalg::add_product(matrix, forces, moved);
@@ -108,7 +108,7 @@ void tresca_gauss_seidel(const MatrixXd& matrix, const VectorXd& values, const V
         slips += change * matrix.col(first + a);
       }
     }
-    if (largest_change <= good_friction * largest_of(limits))
+    if (largest_change <= good_friction * largest_value(limits))
       return;
   }
 }
