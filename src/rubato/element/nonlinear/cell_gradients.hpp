@@ -74,7 +74,6 @@ public:
   double* row(int q, int row) { return values_.data() + (q * rows_ + row) * stride_; }
   double at(int q, int of_row, int i) const { return row(q, of_row)[i]; }
 
-  const NodalValues& coordinates() const { return coordinates_; }
   /// From dof numbered node · d + component.
   NodalValues by_component(std::span<const double> values) const;
   NodalValues no_force() const;

@@ -18,8 +18,7 @@ constexpr double stalled_rounding = 1e3;
 } // namespace
 
 EnhancedCell::EnhancedCell(CellPoints& cell, CellGradients& gradients)
-    : cell_(cell), d_(gradients.components()), has_volume_modes_(d_ == 3 && cell.is_small()),
-      modes_(mode_count(cell.kind)) {
+    : cell_(cell), modes_(mode_count(cell.kind)) {
   const auto& reference = reference_gradients(cell.kind.type);
   const auto ratios = put_modes(reference, cell.input.points, gradients);
   for (std::size_t q = 0; q < points(); ++q) {
@@ -71,7 +70,7 @@ template <int d> Eigen::Matrix3d EnhancedCell::strain_of_modes(int q) const {
       unrolled<d>([&](auto a) { h.data()[a + 3 * row] += mode * unknowns_[m * d + a]; });
     });
   });
-  if (has_volume_modes_)
+  if (has_volume_modes())
     for (int a = 0; a < 3; ++a)
       h(a, a) += volume_modes_[place(q)][0] * unknowns_[9] + volume_modes_[place(q)][1] * unknowns_[10] +
                  volume_modes_[place(q)][2] * unknowns_[11];
@@ -82,7 +81,7 @@ template <int d> Eigen::Matrix3d EnhancedCell::strain_of_modes(int q) const {
 CellResult EnhancedCell::respond() {
   for (std::size_t q = 0; q < points(); ++q) {
     const int point = static_cast<int>(q);
-    const auto of_modes = d_ == 3 ? strain_of_modes<3>(point) : strain_of_modes<2>(point);
+    const auto of_modes = d() == 3 ? strain_of_modes<3>(point) : strain_of_modes<2>(point);
     cell_.at.seen[q].h = cell_.at.gradient[q] = of_nodes_[q] + of_modes;
   }
   const auto result = cell_.respond(material::Want::tangent);
@@ -97,7 +96,7 @@ void EnhancedCell::set_residual() {
   ModeValues size{}, noise{};
   for (std::size_t q = 0; q < points(); ++q) {
     const int point = static_cast<int>(q);
-    const auto mode_size = d_ == 3 ? add_residual<3>(point) : add_residual<2>(point);
+    const auto mode_size = d() == 3 ? add_residual<3>(point) : add_residual<2>(point);
     const double stress = cell_.at.piola[q].norm();
     const double stiffness = cell_.at.response[q].tangent.cwiseAbs().maxCoeff();
     const double of_rounding = stiffness * of_nodes_[q].norm() + stress;
@@ -127,7 +126,7 @@ template <int d> ModeValues EnhancedCell::add_residual(int q) {
     const double of_mode = weight * std::sqrt(squares);
     unrolled<d>([&](auto a) { size[m * d + a] = of_mode; });
   });
-  if (has_volume_modes_)
+  if (has_volume_modes())
     for (int m = 0; m < 3; ++m) {
       residual_[place(9 + m)] += weighted.trace() * volume_modes_[place(q)][m];
       size[place(9 + m)] = weight * std::abs(volume_modes_[place(q)][m]);
@@ -169,29 +168,31 @@ CellResult EnhancedCell::improved() {
 /// K of nodes and modes from `first` on.
 void EnhancedCell::set_blocks(int first) {
   if (!cell_.is_small()) {
-    const auto moduli = std::span(large_moduli_).first(points());
+    std::array<Moduli, most_points> memory;
+    const auto moduli = std::span(memory).first(points());
     cell_.set_moduli(moduli);
     put_block_sums(cell_.gradients, moduli, first, all_nodes(), whole());
     return;
   }
-  const auto moduli = std::span(small_moduli_).first(points());
+  std::array<material::Tangent6, most_points> memory;
+  const auto moduli = std::span(memory).first(points());
   cell_.set_moduli(moduli);
   put_block_sums(cell_.gradients, moduli, first, all_nodes(), whole());
-  if (has_volume_modes_)
-    put_volume_modes(first);
+  if (has_volume_modes())
+    put_volume_modes(first, moduli);
 }
 
 /// Columns and rows of β, for nodes and modes from `first` on.
-void EnhancedCell::put_volume_modes(int first) {
+void EnhancedCell::put_volume_modes(int first, std::span<const material::Tangent6> moduli) {
   const auto all = whole();
   const int start = 3 * all_nodes();
   for (int m = 0; m < 3; ++m)
     std::fill_n(all.column(start + m), start + 3, 0.);
   for (std::size_t q = 0; q < points(); ++q) {
-    const auto& d = small_moduli_[q];
+    const auto& tangent = moduli[q];
     material::Stress6 y;
     for (int i = 0; i < 6; ++i)
-      y[i] = d(i, 0) + d(i, 1) + d(i, 2);
+      y[i] = tangent(i, 0) + tangent(i, 1) + tangent(i, 2);
     const Eigen::Matrix3d tensor = tensor_of(y);
     const auto& modes = volume_modes_[q];
     const double* const g = cell_.gradients.row(static_cast<int>(q), 0);

@@ -34,7 +34,10 @@ private:
   std::size_t points() const { return cell_.at.seen.size(); }
   int nodes() const { return cell_.gradients.nodes(); }
   int node_dofs() const { return cell_.gradients.dofs(); }
-  int all_nodes() const { return nodes() + d_; }
+  int d() const { return cell_.gradients.components(); }
+  int all_nodes() const { return nodes() + d(); }
+  /// HEXA8, small strain.
+  bool has_volume_modes() const { return d() == 3 && cell_.is_small(); }
   MatrixView whole() { return {whole_.data(), node_dofs() + modes_}; }
 
   template <int d> Eigen::Matrix3d strain_of_modes(int q) const;
@@ -44,16 +47,12 @@ private:
   bool is_solved() const;
   CellResult improved();
   void set_blocks(int first);
-  void put_volume_modes(int first);
+  void put_volume_modes(int first, std::span<const material::Tangent6> moduli);
 
   CellPoints& cell_;
-  int d_;
-  bool has_volume_modes_; ///< HEXA8, small strain
   int modes_;
   std::array<Eigen::Matrix3d, most_points> of_nodes_; ///< ∂u/∂X
   std::array<Eigen::Vector3d, most_points> volume_modes_;
-  std::array<material::Tangent6, most_points> small_moduli_;
-  std::array<Moduli, most_points> large_moduli_;
   std::array<double, static_cast<std::size_t>(most_unknowns* most_unknowns)> whole_;
   ModeValues unknowns_, residual_;
   double scale_ = 0, noise_ = 0;

@@ -31,8 +31,8 @@ template <int d> double trace_of_inverse(const Square<d>& m) {
 
 HourglassForces::HourglassForces(const CellKind& kind, const CellGradients& gradients,
                                  std::span<const Eigen::Vector3d> points, const NodalValues& u)
-    : d_(gradients.components()), nodes_(gradients.nodes()), stride_(gradients.stride()),
-      rolls_(gradients.rows() > d_), limit_(kind.hourglass.limit),
+    : d_(gradients.components()), stride_(gradients.stride()), rolls_(gradients.rows() > d_),
+      limit_(kind.hourglass.limit),
       stiffness_(hourglass_coefficient * kind.hourglass.modulus * gradients.weight(0)) {
   if (d_ == 3) {
     set_shapes<3>(gradients, points);
@@ -51,11 +51,12 @@ NodalValues HourglassForces::forces() const {
 }
 
 template <int d> NodalValues HourglassForces::forces_of() const {
-  constexpr int size = d * stride_of(Waves<d>::nodes, d);
+  constexpr int nodes = Waves<d>::nodes, stride = stride_of(nodes, d);
   NodalValues forces;
   const Pair secant = twice(stiffness_ / root_);
-  for (int i = 0; i < size; i += 2)
-    put_pair(secant * pair_at(half_gradient_.values.data() + i), forces.values.data() + i);
+  for (int a = 0; a < d; ++a)
+    for (int i = 0; i < nodes; i += 2)
+      put_pair(secant * pair_at(half_gradient_.component(a, stride) + i), forces.component(a, stride) + i);
   return forces;
 }
 
@@ -137,18 +138,19 @@ template <int d> void HourglassForces::set_half_gradient(const NodalValues& u) {
 void HourglassForces::add_rolling(const CellGradients& gradients, const CellKind& kind,
                                   std::span<const Eigen::Vector3d> points, const NodalValues& u) {
   const CellGradients at(kind.type, points, kind.section, false);
+  const int nodes = gradients.nodes();
   const double* const mean = gradients.row(0, d_);
   double* const radial = half_gradient_.component(0, stride_);
-  for (int q = 0; q < nodes_; ++q) {
+  for (int q = 0; q < nodes; ++q) {
     const double root = std::sqrt(2 * at.weight(q) / gradients.weight(0));
-    double* const of_point = rolling_.data() + q * nodes_;
+    double* const of_point = rolling_.data() + q * nodes;
     double strain = 0;
-    for (int i = 0; i < nodes_; ++i) {
+    for (int i = 0; i < nodes; ++i) {
       of_point[i] = root * (at.at(q, d_, i) - mean[i]);
       strain += of_point[i] * u.component(0, stride_)[i];
     }
     strain_squared_ += strain * strain;
-    for (int i = 0; i < nodes_; ++i)
+    for (int i = 0; i < nodes; ++i)
       radial[i] += of_point[i] * strain;
   }
 }

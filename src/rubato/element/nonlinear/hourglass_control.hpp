@@ -51,7 +51,7 @@ private:
   template <int d> void add_tangent_of(const MatrixView& k) const;
   template <int d> void subtract_square(double factor, const MatrixView& k) const;
 
-  int d_, nodes_, stride_;
+  int d_, stride_;
   bool rolls_; ///< axisymmetric
   double limit_;
   double stiffness_;                                                  ///< κ G V
