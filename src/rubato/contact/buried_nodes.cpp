@@ -5,8 +5,7 @@
 #include "rubato/contact/motion.hpp"
 #include "rubato/contact/point_tree.hpp"
 #include "rubato/contact/projection.hpp"
-
-#include <Eigen/Geometry>
+#include "rubato/contact/small_vectors.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -26,8 +25,8 @@ double depth_behind(const Face& face, const std::vector<Vector3d>& slave_x, cons
   if (!place.converged || !place.inside())
     return 0;
   const auto at = face_geometry(face.type, nodes, place.xi);
-  const Vector3d outward = at.tangents.col(0).cross(at.tangents.col(1)).stableNormalized();
-  return outward.dot(normal) < 0 ? std::max(0., outward.dot(at.position - x)) : 0;
+  const auto outward = unit_of(cross(column_of(at.tangents, 0), column_of(at.tangents, 1)));
+  return dot(outward, normal) < 0 ? std::max(0., dot(outward, difference_of(at.position, x))) : 0;
 }
 
 } // namespace
@@ -39,7 +38,8 @@ std::vector<double> BuriedNodes::depths(const Configuration& configuration) {
   const auto slave_x = positions_of(zone_->slave, configuration);
   const auto master_x = positions_of(zone_->master, configuration);
   const auto is_near = [&](std::size_t i) {
-    return (slave_x[near_[i]] - master_x[i]).squaredNorm() <= shallow_[i] * shallow_[i];
+    const auto apart = difference_of(slave_x[near_[i]], master_x[i]);
+    return dot(apart, apart) <= shallow_[i] * shallow_[i];
   };
   std::vector<double> depths(master_x.size(), 0.);
   std::optional<PointTree> tree; // most often neither is asked for
@@ -69,7 +69,7 @@ std::vector<double> edges_around(const mesh::Mesh& mesh, const Surface& surface)
       const auto& b = mesh.points[static_cast<std::size_t>(face.nodes[to])];
       for (int i = 0; i < face.node_count; ++i) {
         auto& edge = shortest[static_cast<std::size_t>(face.positions[static_cast<std::size_t>(i)])];
-        edge = std::min(edge, (b - a).norm());
+        edge = std::min(edge, length_of(difference_of(b, a)));
       }
     }
   return shortest;

@@ -3,6 +3,7 @@
 
 #include "rubato/contact/frozen_frame.hpp"
 #include "rubato/contact/point_tangent.hpp"
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/contact/spring_friction.hpp"
 #include "rubato/contact/springs.hpp"
 #include "rubato/core/tolerances.hpp"
@@ -25,21 +26,23 @@ public:
       : per_node_(zone.multipliers_per_node()), offset_(multiplier_offset), system_(system) {}
 
   void add(const SlavePoint& point, const FactoredResponse& response) {
-    const Index d = response.components;
-    const Index m = response.multipliers();
-    const auto weights = response.interpolation.topRows(d);
-    const VectorXd force = weights.transpose() * response.force;
-    const MatrixXd force_by_q = response.interpolation.transpose() * response.force_by_displacement();
-    const MatrixXd force_by_multiplier = weights.transpose() * response.by_multiplier.topRows(d);
-    for (Index row = 0; row < force.size(); ++row) {
+    const auto& interpolation = response.interpolation;
+    const MatrixXd force_by_displacement = response.force_by_displacement();
+    for (Index row = 0; row < interpolation.cols(); ++row) {
       const int global_row = response.dofs[static_cast<std::size_t>(row)];
-      system_.force[global_row] += force[row];
-      for (Index column = 0; column < force.size(); ++column)
-        push(system_.force_by_dof, global_row, response.dofs[static_cast<std::size_t>(column)],
-             force_by_q(row, column));
+      double force = 0;
+      for (Index i = 0; i < response.components; ++i)
+        force += interpolation(i, row) * response.force[i];
+      system_.force[global_row] += force;
+      for (Index column = 0; column < interpolation.cols(); ++column) {
+        double slope = 0;
+        for (Index i = 0; i < interpolation.rows(); ++i)
+          slope += interpolation(i, row) * force_by_displacement(i, column);
+        push(system_.force_by_dof, global_row, response.dofs[static_cast<std::size_t>(column)], slope);
+      }
     }
     for (std::size_t j = 0; j < point.multipliers.size(); ++j)
-      couple(point, j, response.dofs, force_by_multiplier, response.d_du.middleRows(d, m));
+      couple(point, j, response);
     add_equations(point, response.multiplier_equations());
   }
 
@@ -65,14 +68,17 @@ private:
       triplets.emplace_back(row, column, value);
   }
 
-  void couple(const SlavePoint& point, std::size_t j, std::span<const int> dofs, const MatrixXd& force,
-              const MatrixXd& equations) {
+  void couple(const SlavePoint& point, std::size_t j, const FactoredResponse& response) {
     const double shape = point.multiplier_shape[j];
-    for (Index a = 0; a < equations.rows(); ++a)
-      for (Index q = 0; q < equations.cols(); ++q) {
-        const int dof = dofs[static_cast<std::size_t>(q)];
-        push(system_.force_by_multiplier, dof, multiplier(point, j, a), shape * force(q, a));
-        push(system_.equation_by_dof, multiplier(point, j, a), dof, shape * equations(a, q));
+    const Index d = response.components;
+    for (Index a = 0; a < response.multipliers(); ++a)
+      for (Index q = 0; q < response.d_du.cols(); ++q) {
+        const int dof = response.dofs[static_cast<std::size_t>(q)];
+        double force = 0;
+        for (Index i = 0; i < d; ++i)
+          force += response.interpolation(i, q) * response.by_multiplier(i, a);
+        push(system_.force_by_multiplier, dof, multiplier(point, j, a), shape * force);
+        push(system_.equation_by_dof, multiplier(point, j, a), dof, shape * response.d_du(d + a, q));
       }
   }
 
@@ -119,14 +125,20 @@ struct Traction {
   Vector3d tangential;
 };
 
+/// The tangential part of a traction, in space.
+Vector3d on_tangents(const Kinematics& k, const Vector3d& traction) {
+  return sum_of(scaled(traction[1], column_of(k.tangents, 0)), scaled(traction[2], column_of(k.tangents, 1)));
+}
+
 /// Frames of ties stand along the axes.
 Traction traction_on_surface(const Kinematics& k, const PointResponse& response) {
-  const Vector3d normal = response.traction[0] * k.normal;
-  const Vector3d tangential = k.tangents * response.traction.tail<2>();
-  if (k.facing.isZero(0))
+  const auto normal = scaled(response.traction[0], k.normal);
+  const auto tangential = on_tangents(k, response.traction);
+  if (is_zero(k.facing))
     return {response.traction[0], normal, tangential};
-  const double pressure = (normal + tangential).dot(k.facing);
-  return {pressure, pressure * k.facing, normal + tangential - pressure * k.facing};
+  const auto whole = sum_of(normal, tangential);
+  const double pressure = dot(whole, k.facing);
+  return {pressure, scaled(pressure, k.facing), difference_of(whole, scaled(pressure, k.facing))};
 }
 
 /// A uniform pressure puts no force on such a node, so that its own says nothing: its neighbours' does,
@@ -141,7 +153,7 @@ void recover_axis_pressures(const Zone& zone, std::vector<PointOutcome>& outcome
     if (!(beside > 0))
       continue;
     outcomes[i].pressure = beside;
-    outcomes[i].area = outcomes[i].normal.norm() / beside;
+    outcomes[i].area = length_of(outcomes[i].normal) / beside;
   }
 }
 
@@ -162,7 +174,7 @@ void inherit_pressures(std::span<const PointEvaluation> points, std::vector<Poin
 PointState variables_of(const Zone& zone, const SlavePoint& point, const VectorXd& multipliers,
                         const std::optional<Kinematics>& kinematics) {
   const auto variables = zone.multiplier_variables();
-  Vector3d values = Vector3d::Zero();
+  Vector3d values(0, 0, 0);
   for (std::size_t j = 0; j < point.multipliers.size(); ++j) {
     Index next = point.multipliers[j] * static_cast<Index>(variables.size());
     for (const int variable : variables)
@@ -170,7 +182,7 @@ PointState variables_of(const Zone& zone, const SlavePoint& point, const VectorX
   }
   PointState state;
   state.pressure = values[0];
-  state.semi = values.tail<2>();
+  state.semi = {values[1], values[2]};
   state.gap = kinematics ? kinematics->gap : std::numeric_limits<double>::infinity();
   if (kinematics)
     state.slip = kinematics->slip;
@@ -178,7 +190,7 @@ PointState variables_of(const Zone& zone, const SlavePoint& point, const VectorX
 }
 
 double pressing_force(const PointOutcome& outcome) {
-  return std::copysign(outcome.normal.norm(), outcome.pressure);
+  return std::copysign(length_of(outcome.normal), outcome.pressure);
 }
 
 double resistance(const SlavePoint& point, const domain::DofMap& dofs,
@@ -188,7 +200,10 @@ double resistance(const SlavePoint& point, const domain::DofMap& dofs,
   for (std::size_t i = 0; i < point.nodes.size(); ++i) {
     const double share = std::abs(point.shape[i]);
     const auto first = dofs.first_dof[static_cast<std::size_t>(point.nodes[i])];
-    sum += share * diagonal.segment(first, dofs.components).mean();
+    double total = 0;
+    for (int c = 0; c < dofs.components; ++c)
+      total += diagonal[first + c];
+    sum += share * total / dofs.components;
     shares += share;
   }
   return sum / shares;
@@ -213,7 +228,7 @@ std::vector<std::uint8_t> touched_points(const Zone& zone, const ZoneState& stat
     return touched;
   const bool from_start = zone.settings.initially_active.value_or(false);
   for (std::size_t i = 0; i < state.status.size(); ++i)
-    touched.push_back(state.status[i] != Status::open && (from_start || !state.outcomes[i].normal.isZero(0)));
+    touched.push_back(state.status[i] != Status::open && (from_start || !is_zero(state.outcomes[i].normal)));
   return touched;
 }
 
@@ -333,8 +348,8 @@ void keep_last_contact(const ZoneLaw& law, std::span<const PointEvaluation> poin
 Vector3d force_of(const ZoneLaw& law, std::size_t point, const PointEvaluation& evaluation, Status status) {
   const auto& k = *evaluation.kinematics;
   const auto traction = respond(evaluation.variables, status, law.of_point(point)).traction;
-  return -weight_of(law.zone->points[point], evaluation) *
-         (traction[0] * k.normal + k.tangents * traction.tail<2>());
+  return scaled(-weight_of(law.zone->points[point], evaluation),
+                sum_of(scaled(traction[0], k.normal), on_tangents(k, traction)));
 }
 
 std::vector<double> friction_pressures(const ZoneLaw& law, std::span<const PointEvaluation> points,
@@ -380,8 +395,8 @@ std::vector<PointOutcome> outcomes(const ZoneLaw& law, std::span<const PointEval
         traction_on_surface(*points[i].kinematics, respond(points[i].variables, status[i], law.of_point(i)));
     outcome.pressure = traction.pressure * point.weight / point.area;
     const double weight = weight_of(point, points[i]);
-    outcome.normal = weight * traction.normal;
-    outcome.tangential = weight * traction.tangential;
+    outcome.normal = scaled(weight, traction.normal);
+    outcome.tangential = scaled(weight, traction.tangential);
   }
   recover_axis_pressures(*law.zone, all);
   inherit_pressures(points, all);
@@ -411,8 +426,8 @@ MeanGap largest_mean_gap(const ZoneLaw& law, std::span<const PointEvaluation> po
 void add_friction_force(std::span<const PointEvaluation> points, std::span<const PointOutcome> outcomes,
                         const domain::DofMap& dofs, VectorXd& force) {
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (points[i].kinematics && !outcomes[i].tangential.isZero(0))
-      points[i].kinematics->stencil.scatter(-outcomes[i].tangential, dofs, force);
+    if (points[i].kinematics && !is_zero(outcomes[i].tangential))
+      points[i].kinematics->stencil.scatter(scaled(-1, outcomes[i].tangential), dofs, force);
 }
 
 } // namespace rubato::contact

@@ -2,9 +2,8 @@
 #include "rubato/contact/explicit_penalty.hpp"
 
 #include "rubato/contact/kinematics.hpp"
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/core/tolerances.hpp"
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +21,10 @@ std::size_t at(Index i) {
 
 /// Of the direction that moves most easily: a node may be held in others.
 double inverse_mass_of(const domain::DofMap& dofs, const VectorXd& inverse_mass, mesh::NodeIndex node) {
-  return inverse_mass.segment(dofs.dof(node, 0), dofs.components).maxCoeff();
+  double largest = inverse_mass[dofs.dof(node, 0)];
+  for (int c = 1; c < dofs.components; ++c)
+    largest = std::max(largest, inverse_mass[dofs.dof(node, c)]);
+  return largest;
 }
 
 /// Steps without iterations have nothing to hop in: a point that comes back to a face is there. Which faces
@@ -33,10 +35,10 @@ void pair_anew(NeighbourList& neighbours, const Configuration& configuration) {
 }
 
 Vector3d velocity_of(const SlavePoint& point, const domain::DofMap& dofs, const VectorXd& velocity) {
-  Vector3d sum = Vector3d::Zero();
+  Vector3d sum(0, 0, 0);
   for (std::size_t i = 0; i < point.nodes.size(); ++i)
-    sum.head(dofs.components) +=
-        point.shape[i] * velocity.segment(dofs.dof(point.nodes[i], 0), dofs.components);
+    for (int c = 0; c < dofs.components; ++c)
+      sum[c] += point.shape[i] * velocity[dofs.dof(point.nodes[i], c)];
   return sum;
 }
 
@@ -45,13 +47,9 @@ Vector3d velocity_of(const SlavePoint& point, const domain::DofMap& dofs, const 
 Vector3d way_of_obstacle(const Zone& zone, const SlavePoint& point, const Vector3d& moved,
                          const Configuration& configuration) {
   if (!zone.obstacle)
-    return Vector3d::Zero();
+    return {0, 0, 0};
   const Vector3d now = position(point, configuration);
-  return zone.obstacle->way(now - moved, now, configuration.start_t, configuration.t);
-}
-
-Vector3d in_plane(const Vector3d& v, const Vector3d& normal) {
-  return v - normal.dot(v) * normal;
+  return zone.obstacle->way(difference_of(now, moved), now, configuration.start_t, configuration.t);
 }
 
 } // namespace
@@ -97,43 +95,46 @@ void ExplicitPenalty::advance(const Configuration& configuration, const VectorXd
       friction_history_[i].work += energy;
       continue;
     }
-    const Vector3d moved = step * place_.stencil.gather(velocity, *dofs_);
-    const Vector3d relative = moved - way_of_obstacle(*zone_, zone_->points[i], moved, configuration);
-    const Vector3d slip = in_plane(relative, place_.normal);
+    const auto moved = scaled(step, place_.stencil.gather(velocity, *dofs_));
+    const auto relative =
+        difference_of(moved, way_of_obstacle(*zone_, zone_->points[i], moved, configuration));
+    const auto slip = part_across(place_.normal, relative);
     spring.normal = place_.normal;
-    spring.slip_on_tangents = place_.tangents.transpose() * slip;
+    for (int a = 0; a < 2; ++a)
+      spring.slip_on_tangents[a] = dot(column_of(place_.tangents, a), slip);
     const Vector3d traction = spring.traction;
     rub(spring, zone_->friction_at(i, zone_->settings.friction), normal_stiffness_[i], slip);
-    const double work = -0.5 * zone_->points[i].weight * (traction + spring.traction).dot(slip);
+    const double work = -0.5 * zone_->points[i].weight * dot(sum_of(traction, spring.traction), slip);
     friction_history_[i].work += work - (tangential_energy(i) - energy);
-    friction_history_[i].slip += slip.norm();
-    place_.stencil.scatter(-push_of(i), *dofs_, force);
+    friction_history_[i].slip += length_of(slip);
+    place_.stencil.scatter(scaled(-1, push_of(i)), *dofs_, force);
   }
 }
 
 Vector3d ExplicitPenalty::push() const {
-  Vector3d sum = Vector3d::Zero();
+  Vector3d sum(0, 0, 0);
   for (std::size_t i = 0; i < springs_.size(); ++i)
-    sum += push_of(i);
+    add_scaled(1, push_of(i), sum);
   return sum;
 }
 
 Vector3d ExplicitPenalty::push_of(std::size_t index) const {
   const auto& spring = springs_[index];
-  return zone_->points[index].weight * (spring.pressure * spring.normal + spring.traction);
+  return scaled(zone_->points[index].weight, sum_of(scaled(spring.pressure, spring.normal), spring.traction));
 }
 
 double ExplicitPenalty::work_of_obstacle(const Configuration& configuration, const VectorXd& velocity,
                                          double step) const {
   const auto& obstacle = *zone_->obstacle;
   if (!obstacle.rotation)
-    return obstacle.translation(configuration.start_t, configuration.t).dot(push());
+    return dot(obstacle.translation(configuration.start_t, configuration.t), push());
   double work = 0;
   for (std::size_t i = 0; i < springs_.size(); ++i) {
     const auto& point = zone_->points[i];
     if (springs_[i].status != Status::open)
-      work += push_of(i).dot(
-          way_of_obstacle(*zone_, point, step * velocity_of(point, *dofs_, velocity), configuration));
+      work +=
+          dot(push_of(i), way_of_obstacle(*zone_, point, scaled(step, velocity_of(point, *dofs_, velocity)),
+                                          configuration));
   }
   return work;
 }
@@ -170,7 +171,8 @@ ZoneState ExplicitPenalty::state() const {
     const double weight = zone_->points[i].weight;
     state.status[i] = spring.status;
     state.outcomes[i] = {neighbours_.pairs()[i].paired() ? spring.gap : INFINITY, spring.slip_on_tangents,
-                         spring.pressure, weight * spring.pressure * spring.normal, weight * spring.traction};
+                         spring.pressure, scaled(weight * spring.pressure, spring.normal),
+                         scaled(weight, spring.traction)};
     state.outcomes[i].area = neighbours_.pairs()[i].paired() ? zone_->points[i].area : 0;
   }
   state.friction_history = friction_history_;
@@ -236,18 +238,18 @@ void ExplicitPenalty::rub(Spring& spring, double friction, double normal_stiffne
     return;
   spring.tangential_stiffness =
       std::min(normal_stiffness, limit * settings.tangential_coefficient.value_or(INFINITY));
-  spring.slip = in_plane(spring.slip + slip, spring.normal);
-  const double trial = spring.tangential_stiffness * spring.slip.norm();
+  spring.slip = part_across(spring.normal, sum_of(spring.slip, slip));
+  const double trial = spring.tangential_stiffness * length_of(spring.slip);
   if (trial <= limit)
     spring.status = Status::stick;
   else
-    spring.slip *= limit / trial;
-  spring.traction = -spring.tangential_stiffness * spring.slip;
+    spring.slip = scaled(limit / trial, spring.slip);
+  spring.traction = scaled(-spring.tangential_stiffness, spring.slip);
 }
 
 double ExplicitPenalty::tangential_energy(std::size_t index) const {
   const auto& spring = springs_[index];
-  return 0.5 * zone_->points[index].weight * spring.tangential_stiffness * spring.slip.squaredNorm();
+  return 0.5 * zone_->points[index].weight * spring.tangential_stiffness * dot(spring.slip, spring.slip);
 }
 
 double largest_eigenvalue(std::span<const ExplicitPenalty> zones, const VectorXd& inverse_mass) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/frozen_frame.hpp"
 
-#include <Eigen/Geometry>
+#include "rubato/contact/small_vectors.hpp"
 
 #include <cstddef>
 #include <utility>
@@ -36,36 +36,50 @@ const Eigen::VectorXd& gap_weights_of(const Kinematics& k) {
   return k.gap_weights.size() > 0 ? k.gap_weights : k.stencil.weights;
 }
 
+/// Half of each, one after the other.
+void join_halves(const Eigen::VectorXd& a, const Eigen::VectorXd& b, Eigen::VectorXd& into) {
+  for (Eigen::Index i = 0; i < a.size(); ++i)
+    into[i] = 0.5 * a[i];
+  for (Eigen::Index i = 0; i < b.size(); ++i)
+    into[a.size() + i] = 0.5 * b[i];
+}
+
 } // namespace
 
 Kinematics frozen_between(const Kinematics& a, const Kinematics& b) {
   Kinematics k = a;
   k.stencil.nodes.insert(k.stencil.nodes.end(), b.stencil.nodes.begin(), b.stencil.nodes.end());
   k.stencil.weights.resize(a.stencil.weights.size() + b.stencil.weights.size());
-  k.stencil.weights << 0.5 * a.stencil.weights, 0.5 * b.stencil.weights;
+  join_halves(a.stencil.weights, b.stencil.weights, k.stencil.weights);
   if (a.gap_weights.size() + b.gap_weights.size() > 0) {
     k.gap_weights.resize(k.stencil.weights.size());
-    k.gap_weights << 0.5 * gap_weights_of(a), 0.5 * gap_weights_of(b);
+    join_halves(gap_weights_of(a), gap_weights_of(b), k.gap_weights);
   }
   k.shape_slope.resize(k.stencil.weights.size(), 2);
-  k.normal = (a.normal + b.normal).normalized();
-  const Vector3d along = a.tangents.col(0) + b.tangents.col(0);
-  k.tangents.col(0) = (along - along.dot(k.normal) * k.normal).normalized();
-  k.tangents.col(1) = k.normal.cross(Vector3d(k.tangents.col(0)));
+  k.normal = unit_of(sum_of(a.normal, b.normal));
+  const auto first =
+      unit_of(part_across(k.normal, sum_of(column_of(a.tangents, 0), column_of(b.tangents, 0))));
+  const auto second = cross(k.normal, first);
+  for (int i = 0; i < 3; ++i) {
+    k.tangents(i, 0) = first[i];
+    k.tangents(i, 1) = second[i];
+  }
   k.gap = 0.5 * (a.gap + b.gap);
-  k.slip = 0.5 * (a.slip + b.slip);
+  for (int i = 0; i < 2; ++i) {
+    k.slip[i] = 0.5 * (a.slip[i] + b.slip[i]);
+    k.slip_origin[i] = 0.5 * (a.slip_origin[i] + b.slip_origin[i]);
+  }
   k.gap_origin = 0.5 * (a.gap_origin + b.gap_origin);
-  k.slip_origin = 0.5 * (a.slip_origin + b.slip_origin);
   return with_frozen_frame(std::move(k));
 }
 
 void measure_in_frozen_frame(Kinematics& k, const Configuration& configuration) {
   const Vector3d apart = k.gap_vector([&](auto node) { return configuration.position(node); });
-  const Vector3d moved =
-      k.stencil.sum([&](auto node) { return configuration.increment(node); }) - k.obstacle_displacement;
-  k.gap = k.normal.dot(apart) - k.gap_origin;
+  const auto moved = difference_of(k.stencil.sum([&](auto node) { return configuration.increment(node); }),
+                                   k.obstacle_displacement);
+  k.gap = dot(k.normal, apart) - k.gap_origin;
   for (int a = 0; a < k.parametric_dimension; ++a)
-    k.slip[a] = k.tangents.col(a).dot(moved) - k.slip_origin[a];
+    k.slip[a] = dot(column_of(k.tangents, a), moved) - k.slip_origin[a];
 }
 
 } // namespace rubato::contact

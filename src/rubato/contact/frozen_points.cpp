@@ -3,6 +3,7 @@
 
 #include "rubato/contact/frozen_frame.hpp"
 #include "rubato/contact/mortar/points.hpp"
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/contact/tie.hpp"
 
 #include <utility>
@@ -48,12 +49,15 @@ void FrozenPoints::measure(std::size_t point, const VectorXd& multipliers, const
   if (into.kinematics) {
     auto& k = *into.kinematics;
     if (zone_->obstacle) {
-      k.closest_point += zone_->obstacle->translation(zone_->begin, configuration.t);
+      add_scaled(1, zone_->obstacle->translation(zone_->begin, configuration.t), k.closest_point);
       k.obstacle_displacement = zone_->obstacle->translation(configuration.start_t, configuration.t);
     }
     k.gap_origin -= zone_->offset.change(zone_->points[point].place, zone_->begin, configuration.t);
-    if (zone_->settings.tie)
-      k.slip_origin = -k.tangents.transpose() * k.stencil.gather(*configuration.start, *configuration.dofs);
+    if (zone_->settings.tie) {
+      const auto start = k.stencil.gather(*configuration.start, *configuration.dofs);
+      for (int a = 0; a < 2; ++a)
+        k.slip_origin[a] = -dot(column_of(k.tangents, a), start);
+    }
     measure_in_frozen_frame(k, configuration);
   }
   into.variables = variables_of(*zone_, zone_->points[point], multipliers, into.kinematics);

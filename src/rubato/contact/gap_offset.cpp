@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-double length_of(const GapOffset::Term& term, const Vector3d& place, double t) {
+double length_at(const GapOffset::Term& term, const Vector3d& place, double t) {
   const std::span<const double, 3> x(place.data(), 3);
   const double length = term.length.at(x, t);
   if (length < 0 && term.sense == GapOffset::Sense::overlaps)
@@ -30,7 +30,7 @@ double length_of(const GapOffset::Term& term, const Vector3d& place, double t) {
 double GapOffset::sum_at(const Vector3d& place, double t) const {
   double sum = 0;
   for (const auto& term : terms)
-    sum += term.sense == Sense::opens ? length_of(term, place, t) : -length_of(term, place, t);
+    sum += term.sense == Sense::opens ? length_at(term, place, t) : -length_at(term, place, t);
   return sum;
 }
 
@@ -38,7 +38,7 @@ double GapOffset::overlap_at(const Vector3d& place, double t) const {
   double sum = 0;
   for (const auto& term : terms)
     if (term.sense == Sense::overlaps)
-      sum += length_of(term, place, t);
+      sum += length_at(term, place, t);
   return sum;
 }
 

@@ -69,11 +69,16 @@ struct Kinematics {
   }
   /// Of places, value(node): what the gap follows along the normal.
   template <class Value> Eigen::Vector3d gap_vector(const Value& value) const {
+    Eigen::Vector3d total(0, 0, 0);
     if (gap_weights.size() == 0)
-      return stencil.sum(value) - closest_point;
-    Eigen::Vector3d total = -closest_point;
-    for (std::size_t i = 0; i < stencil.nodes.size(); ++i)
-      total += gap_weights[static_cast<Eigen::Index>(i)] * value(stencil.nodes[i]);
+      total = stencil.sum(value);
+    for (Eigen::Index i = 0; i < gap_weights.size(); ++i) {
+      const Eigen::Vector3d of_node = value(stencil.nodes[static_cast<std::size_t>(i)]);
+      for (int c = 0; c < 3; ++c)
+        total[c] += gap_weights[i] * of_node[c];
+    }
+    for (int c = 0; c < 3; ++c)
+      total[c] -= closest_point[c];
     return total;
   }
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/law.hpp"
 
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/core/tolerances.hpp"
 
 #include <algorithm>
@@ -11,6 +12,7 @@ namespace {
 
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
+using Matrix36 = Eigen::Matrix<double, 3, 6>;
 using study::ContactMethod;
 using study::FrictionMethod;
 
@@ -50,15 +52,15 @@ FrictionPressure friction_pressure_of(const PointState& point, const PointLaw& l
 }
 
 Vector2d relative_to_multiplier(const PointState& point, const PointLaw& law) {
-  return point.semi + law.tangential * point.slip;
+  return {point.semi[0] + law.tangential * point.slip[0], point.semi[1] + law.tangential * point.slip[1]};
 }
 
 Vector2d relative_to_saturation(const PointState& point, const PointLaw& law) {
-  return law.tangential * point.slip;
+  return scaled(law.tangential, point.slip);
 }
 
 Vector2d relative_to_limit(const PointState& point, const PointLaw& law) {
-  return law.tangential / (law.friction * friction_pressure_of(point, law).value) * point.slip;
+  return scaled(law.tangential / (law.friction * friction_pressure_of(point, law).value), point.slip);
 }
 
 Vector2d relative_friction(const PointState& point, const PointLaw& law) {
@@ -67,8 +69,10 @@ Vector2d relative_friction(const PointState& point, const PointLaw& law) {
 
 /// Λ = 0
 void free_semi_multipliers(const PointState& point, PointResponse& response) {
-  response.equations.tail<2>() = point.semi;
-  response.d_equations.block<2, 2>(1, semi).setIdentity();
+  for (int a = 0; a < 2; ++a) {
+    response.equations[1 + a] = point.semi[a];
+    response.d_equations(1 + a, semi + a) = 1;
+  }
 }
 
 void open_contact(const PointState& point, const PointLaw& law, PointResponse& response) {
@@ -100,15 +104,17 @@ FrictionPressure pressure_of_exponential(const PointState& point, const PointLaw
 void close_exponentially(const PointState& point, const PointLaw& law, PointResponse& response) {
   const auto spring = pressure_of_exponential(point, law);
   response.traction[0] = spring.value;
-  response.d_traction.row(0) = spring.derivative;
+  response.d_traction(0, gap) = spring.derivative[gap];
 }
 
 PointResponse hold(const PointState& point) {
   PointResponse response;
-  response.traction << point.pressure, point.semi;
-  response.d_traction.rightCols<3>().setIdentity();
-  response.equations << -point.gap, -point.slip;
-  response.d_equations.leftCols<3>() = -Eigen::Matrix3d::Identity();
+  response.traction = {point.pressure, point.semi[0], point.semi[1]};
+  response.equations = {-point.gap, -point.slip[0], -point.slip[1]};
+  for (int i = 0; i < 3; ++i) {
+    response.d_traction(i, pressure + i) = 1;
+    response.d_equations(i, gap + i) = -1;
+  }
   return response;
 }
 
@@ -116,29 +122,52 @@ PointResponse hold(const PointState& point) {
 struct Direction {
   Vector2d unit;
   Matrix2d derivative;
-  explicit Direction(const Vector2d& v) : unit(v.normalized()) {
-    derivative = (Matrix2d::Identity() - unit * unit.transpose()) / v.norm();
+  explicit Direction(const Vector2d& v) : unit(v) {
+    const double length = length_of(v);
+    if (length > 0)
+      unit = {v[0] / length, v[1] / length};
+    for (int a = 0; a < 2; ++a)
+      for (int b = 0; b < 2; ++b)
+        derivative(a, b) = ((a == b ? 1 : 0) - unit[a] * unit[b]) / length;
   }
 };
 
 /// 1/|v| beyond the unit circle.
 double shrinking(const Vector2d& v) {
-  return 1 / std::max(1.0, v.norm());
+  return 1 / std::max(1.0, length_of(v));
+}
+
+/// Adds factor · block to the tangential rows, at the two columns from `first` on.
+void add_block(double factor, const Matrix2d& block, int first, Matrix36& rows) {
+  for (int b = 0; b < 2; ++b)
+    for (int a = 0; a < 2; ++a)
+      rows(1 + a, first + b) += factor * block(a, b);
+}
+
+/// −μ P ρ, and what it owes to the change of P.
+void limit_friction(double friction, const FrictionPressure& threshold, const Vector2d& rho,
+                    PointResponse& response) {
+  for (int a = 0; a < 2; ++a) {
+    response.traction[1 + a] = -friction * threshold.value * rho[a];
+    for (int variable = 0; variable < 6; ++variable)
+      response.d_traction(1 + a, variable) = -friction * rho[a] * threshold.derivative[variable];
+  }
 }
 
 /// A spring since the start of the step, or the limit μ P against the slip.
 void rub_by_spring(const PointState& point, Status status, const PointLaw& law, PointResponse& response) {
   if (status == Status::stick) {
-    response.traction.tail<2>() = -law.tangential * point.slip;
-    response.d_traction.block<2, 2>(1, slip) = -law.tangential * Matrix2d::Identity();
+    for (int a = 0; a < 2; ++a) {
+      response.traction[1 + a] = -law.tangential * point.slip[a];
+      response.d_traction(1 + a, slip + a) = -law.tangential;
+    }
     response.kept_friction = shrinking(relative_friction(point, law));
     return;
   }
   const auto threshold = friction_pressure_of(point, law);
   const Direction along(point.slip);
-  response.traction.tail<2>() = -law.friction * threshold.value * along.unit;
-  response.d_traction.bottomRows<2>() = -law.friction * along.unit * threshold.derivative;
-  response.d_traction.block<2, 2>(1, slip) -= law.friction * threshold.value * along.derivative;
+  limit_friction(law.friction, threshold, along.unit, response);
+  add_block(-law.friction * threshold.value, along.derivative, slip, response.d_traction);
 }
 
 /// −μ P ρ with ρ = `relative` in stick and its direction in slip, and what ρ is made of.
@@ -156,9 +185,8 @@ Saturation saturate(const PointState& point, Status status, const PointLaw& law,
     result.rho = along.unit;
     result.d_rho = along.derivative;
   }
-  response.traction.tail<2>() = -result.limit * result.rho;
-  response.d_traction.bottomRows<2>() = -law.friction * result.rho * threshold.derivative;
-  response.d_traction.block<2, 2>(1, slip) -= result.limit * law.tangential * result.d_rho;
+  limit_friction(law.friction, threshold, result.rho, response);
+  add_block(-result.limit * law.tangential, result.d_rho, slip, response.d_traction);
   return result;
 }
 
@@ -169,15 +197,18 @@ void rub_by_saturation(const PointState& point, Status status, const PointLaw& l
 /// With semi-multipliers also the equation Λ = ρ, which in stick is c_t Δs = 0.
 void rub_by_multiplier(const PointState& point, Status status, const PointLaw& law, PointResponse& response) {
   const auto saturation = saturate(point, status, law, response);
-  response.d_traction.block<2, 2>(1, semi) -= saturation.limit * saturation.d_rho;
-  response.equations.tail<2>() = point.semi - saturation.rho;
-  response.d_equations.block<2, 2>(1, semi) = Matrix2d::Identity() - saturation.d_rho;
-  response.d_equations.block<2, 2>(1, slip) = -law.tangential * saturation.d_rho;
+  add_block(-saturation.limit, saturation.d_rho, semi, response.d_traction);
+  for (int a = 0; a < 2; ++a) {
+    response.equations[1 + a] = point.semi[a] - saturation.rho[a];
+    response.d_equations(1 + a, semi + a) = 1;
+  }
+  add_block(-1, saturation.d_rho, semi, response.d_equations);
+  add_block(-law.tangential, saturation.d_rho, slip, response.d_equations);
 }
 
 bool rubs(const PointState& point, Status status, const PointLaw& law) {
   return status != Status::open && law.friction > 0 && friction_pressure_of(point, law).value > 0 &&
-         (status == Status::stick || relative_friction(point, law).norm() > 0);
+         (status == Status::stick || length_of(relative_friction(point, law)) > 0);
 }
 
 // T_n of a point that closes is to be more than what rounding of its gap makes.
@@ -199,8 +230,8 @@ bool presses(const PointState& point, const PointLaw& law) {
 /// would need more than its limit: c_t, which knows nothing of pressures, may call that sticking, and the
 /// pull opens points beside it.
 bool comes_sliding(const PointState& point, const PointLaw& law) {
-  return point.semi.isZero(0) &&
-         law.resistance * point.slip.norm() > law.friction * friction_pressure_of(point, law).value;
+  return point.semi[0] == 0 && point.semi[1] == 0 &&
+         law.resistance * length_of(point.slip) > law.friction * friction_pressure_of(point, law).value;
 }
 
 bool never(const PointState& /*point*/, const PointLaw& /*law*/) {
@@ -357,8 +388,8 @@ constexpr std::array<FrictionLaw, 3> friction_laws{{
 
 /// What friction that acts along one direction sees of a point.
 PointState along(const Vector2d& direction, PointState point) {
-  point.slip = direction.dot(point.slip) * direction;
-  point.semi = direction.dot(point.semi) * direction;
+  point.slip = scaled(dot(direction, point.slip), direction);
+  point.semi = scaled(dot(direction, point.semi), direction);
   return point;
 }
 
@@ -367,17 +398,29 @@ PointLaw in_all_directions(PointLaw law) {
   return law;
 }
 
+/// Leaves of a derivative by two tangential variables what is along the direction.
+void project_columns(const Vector2d& direction, int variable, Matrix36& derivative) {
+  for (int row = 0; row < 3; ++row) {
+    const double along =
+        derivative(row, variable) * direction[0] + derivative(row, variable + 1) * direction[1];
+    derivative(row, variable) = along * direction[0];
+    derivative(row, variable + 1) = along * direction[1];
+  }
+}
+
 /// The answer along one direction; across it Λ = 0.
 PointResponse respond_along(const Vector2d& direction, const PointState& point, Status status,
                             const PointLaw& law) {
   auto response = respond(along(direction, point), status, in_all_directions(law));
-  const Matrix2d projector = direction * direction.transpose();
   for (const int variable : {slip, semi})
     for (auto* derivative : {&response.d_traction, &response.d_equations})
-      derivative->middleCols<2>(variable) = (derivative->middleCols<2>(variable) * projector).eval();
-  const Matrix2d across = Matrix2d::Identity() - projector;
-  response.equations.tail<2>() += across * point.semi;
-  response.d_equations.block<2, 2>(1, semi) += across;
+      project_columns(direction, variable, *derivative);
+  const double part = dot(direction, point.semi);
+  for (int a = 0; a < 2; ++a) {
+    response.equations[1 + a] += point.semi[a] - part * direction[a];
+    for (int b = 0; b < 2; ++b)
+      response.d_equations(1 + a, semi + b) += (a == b ? 1 : 0) - direction[a] * direction[b];
+  }
   return response;
 }
 
@@ -411,7 +454,7 @@ Status wanted_status(const PointState& point, const PointLaw& law) {
   if (!law.stays_closed && !normal_law(law.method).touches(point, law))
     return Status::open;
   const bool sticks = law.friction > 0 && friction_pressure_of(point, law).value > 0 &&
-                      relative_friction(point, law).norm() <= 1 &&
+                      length_of(relative_friction(point, law)) <= 1 &&
                       !friction_law(law.friction_method).comes_sliding(point, law);
   return sticks ? Status::stick : Status::slip;
 }

@@ -65,9 +65,7 @@ struct PointResponse {
   double kept_friction = 1;
 
   Eigen::Vector3d kept_traction() const {
-    return kept_friction == 1
-               ? traction
-               : Eigen::Vector3d(traction[0], kept_friction * traction[1], kept_friction * traction[2]);
+    return {traction[0], kept_friction * traction[1], kept_friction * traction[2]};
   }
 };
 

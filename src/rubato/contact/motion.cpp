@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/motion.hpp"
 
+#include "rubato/contact/small_vectors.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -17,16 +19,19 @@ std::vector<Vector3d> positions_of(const Surface& surface, const Configuration& 
 }
 
 Vector3d mean_motion(std::span<const Vector3d> from, std::span<const Vector3d> to) {
-  Vector3d sum = Vector3d::Zero();
+  Vector3d sum(0, 0, 0);
   for (std::size_t i = 0; i < from.size(); ++i)
-    sum += to[i] - from[i];
-  return sum / static_cast<double>(from.size());
+    add_scaled(1, difference_of(to[i], from[i]), sum);
+  const auto count = static_cast<double>(from.size());
+  return {sum[0] / count, sum[1] / count, sum[2] / count};
 }
 
 double farthest_motion(std::span<const Vector3d> from, std::span<const Vector3d> to, const Vector3d& common) {
   double squared = 0;
-  for (std::size_t i = 0; i < from.size(); ++i)
-    squared = std::max(squared, (to[i] - from[i] - common).squaredNorm());
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const auto own = difference_of(difference_of(to[i], from[i]), common);
+    squared = std::max(squared, dot(own, own));
+  }
   return std::sqrt(squared);
 }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/obstacle.hpp"
 
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/core/function.hpp"
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -19,65 +18,90 @@ using study::ObstacleKind;
 /// turn may come before its axis is.
 constexpr double no_direction = 1e-12;
 
+Vector3d product(const Matrix3d& m, const Vector3d& v) {
+  Vector3d sum(0, 0, 0);
+  for (int j = 0; j < 3; ++j)
+    add_scaled(v[j], column_of(m, j), sum);
+  return sum;
+}
+
+/// The matrix of a turn by an angle about a unit axis (O. Rodrigues).
+Matrix3d turn_about(const Vector3d& axis, double angle) {
+  const double cosine = std::cos(angle), sine = std::sin(angle);
+  Matrix3d turn;
+  for (int j = 0; j < 3; ++j) {
+    const Vector3d unit(j == 0, j == 1, j == 2);
+    const auto across = cross(axis, unit);
+    for (int i = 0; i < 3; ++i)
+      turn(i, j) = (1 - cosine) * axis[j] * axis[i] + cosine * unit[i] + sine * across[i];
+  }
+  return turn;
+}
+
 /// A unit vector across a unit vector: e_z × n in 2D, so that τ₂ = e_z.
 Vector3d across(const Vector3d& n) {
   int axis = 2;
   for (const int other : {1, 0})
     if (std::abs(n[other]) < std::abs(n[axis]))
       axis = other;
-  return Vector3d::Unit(axis).cross(n).normalized();
+  return unit_of(cross(Vector3d(axis == 0, axis == 1, axis == 2), n));
 }
 
 Vector3d vector_of(const std::array<double, 3>& numbers) {
   return {numbers[0], numbers[1], numbers[2]};
 }
 
-/// Distance and normal from the part of r that points away from a middle; `away` projects on such parts.
-PlaceOnObstacle round_place(const Obstacle& obstacle, const Vector3d& r, const Matrix3d& away) {
-  const Vector3d part = away * r;
-  const double distance = part.norm();
+/// Distance and normal from the part of r that points away from a middle: all of a sphere's, of a cylinder's
+/// what is across its `axis`; 0: there is none.
+PlaceOnObstacle round_place(const Obstacle& obstacle, const Vector3d& r, const Vector3d& axis) {
+  const auto part = part_across(axis, r);
+  const double distance = length_of(part);
   PlaceOnObstacle place;
   place.gap = obstacle.sign * (distance - obstacle.radius);
   if (distance <= no_direction * obstacle.radius) {
-    place.normal = obstacle.sign * across(obstacle.direction);
+    place.normal = scaled(obstacle.sign, across(obstacle.direction));
     return place;
   }
-  const Vector3d e = part / distance;
-  place.normal = obstacle.sign * e;
-  place.curvature = obstacle.sign / distance * (away - e * e.transpose());
+  const auto e = unit_of(part);
+  place.normal = scaled(obstacle.sign, e);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      place.curvature(i, j) = obstacle.sign / distance * ((i == j ? 1 : 0) - axis[i] * axis[j] - e[i] * e[j]);
   return place;
 }
 
 PlaceOnObstacle place_on_plane(const Obstacle& obstacle, const Matrix3d& turn, const Vector3d& r,
                                const Vector3d& /*reference*/) {
   PlaceOnObstacle place;
-  place.normal = turn * obstacle.direction;
-  place.gap = place.normal.dot(r);
-  place.tangent = turn * across(obstacle.direction);
+  place.normal = product(turn, obstacle.direction);
+  place.gap = dot(place.normal, r);
+  place.tangent = product(turn, across(obstacle.direction));
   return place;
 }
 
 PlaceOnObstacle place_on_cylinder(const Obstacle& obstacle, const Matrix3d& turn, const Vector3d& r,
                                   const Vector3d& /*reference*/) {
-  const Vector3d axis = turn * obstacle.direction;
-  auto place = round_place(obstacle, r, Matrix3d::Identity() - axis * axis.transpose());
-  place.tangent = axis.cross(place.normal);
+  const auto axis = product(turn, obstacle.direction);
+  auto place = round_place(obstacle, r, axis);
+  place.tangent = cross(axis, place.normal);
   return place;
 }
 
 /// The least turn from n₀ to n takes a vector t ⊥ n₀ to t − (t·n)(n₀ + n)/(1 + n₀·n).
 PlaceOnObstacle place_on_sphere(const Obstacle& obstacle, const Matrix3d& /*turn*/, const Vector3d& r,
                                 const Vector3d& reference) {
-  auto place = round_place(obstacle, r, Matrix3d::Identity());
-  const Vector3d start = round_place(obstacle, reference, Matrix3d::Identity()).normal;
-  const Vector3d tangent = across(start);
-  const double turn = 1 + start.dot(place.normal);
+  const Vector3d no_axis(0, 0, 0);
+  auto place = round_place(obstacle, r, no_axis);
+  const Vector3d start = round_place(obstacle, reference, no_axis).normal;
+  const auto tangent = across(start);
+  const double turn = 1 + dot(start, place.normal);
   if (turn <= no_direction) { // the opposite place: every great circle leads there
-    place.tangent = (tangent - tangent.dot(place.normal) * place.normal).normalized();
+    place.tangent = unit_of(part_across(place.normal, tangent));
     return place;
   }
-  place.tangent = tangent - tangent.dot(place.normal) / turn * (start + place.normal);
-  place.spin = place.normal.cross(start) / turn;
+  place.tangent =
+      difference_of(tangent, scaled(dot(tangent, place.normal) / turn, sum_of(start, place.normal)));
+  place.spin = scaled(1 / turn, cross(place.normal, start));
   return place;
 }
 
@@ -86,12 +110,14 @@ struct HalfTurns {
   HalfTurns(const constraint::Rotation& rotation, double from, double to) {
     const double angle = constraint::angle_at(rotation, to) - constraint::angle_at(rotation, from);
     const double half = std::sin(angle / 2); // 1 − cos θ = 2 sin²(θ/2), which keeps its digits
-    Matrix3d once;
-    for (int i = 0; i < 3; ++i)
-      once.col(i) = rotation.axis.cross(Vector3d::Unit(i));
-    const Matrix3d twice = once * once;
-    forth = 0.5 * std::sin(angle) * once + half * half * twice;
-    back = 0.5 * std::sin(angle) * once - half * half * twice;
+    for (int i = 0; i < 3; ++i) {
+      const auto once = cross(rotation.axis, Vector3d(i == 0, i == 1, i == 2));
+      const auto twice = cross(rotation.axis, once);
+      for (int j = 0; j < 3; ++j) {
+        forth(j, i) = 0.5 * std::sin(angle) * once[j] + half * half * twice[j];
+        back(j, i) = 0.5 * std::sin(angle) * once[j] - half * half * twice[j];
+      }
+    }
   }
 
   Matrix3d forth;
@@ -116,11 +142,11 @@ constexpr std::array<ObstacleEntry, 3> entries{
 void take_meridian(Obstacle& obstacle) {
   if (obstacle.kind == ObstacleKind::sphere) {
     obstacle.kind = ObstacleKind::cylinder;
-    obstacle.direction = Vector3d::UnitZ();
+    obstacle.direction = {0, 0, 1};
   } else if (obstacle.kind == ObstacleKind::cylinder) {
     obstacle.kind = ObstacleKind::plane;
     obstacle.point = {obstacle.radius, 0, 0};
-    obstacle.direction = obstacle.sign * Vector3d::UnitX();
+    obstacle.direction = {obstacle.sign, 0, 0};
   }
 }
 
@@ -134,18 +160,20 @@ Pose Obstacle::pose(double t) const {
   Pose pose{.offset = translation(t)};
   if (!rotation)
     return pose;
-  pose.offset += constraint::displacement_at(*rotation, point, t);
-  pose.turn = Eigen::AngleAxisd(constraint::angle_at(*rotation, t), rotation->axis).toRotationMatrix();
+  add_scaled(1, constraint::displacement_at(*rotation, point, t), pose.offset);
+  pose.turn = turn_about(rotation->axis, constraint::angle_at(*rotation, t));
   return pose;
 }
 
 /// With the arms d₀ and d₁ of both places: ½ (R − 1) d₀ + ½ (1 − Rᵀ) d₁, R the turn between the instants.
 Vector3d Obstacle::way(const Vector3d& start, const Vector3d& end, double from, double to) const {
   const Vector3d before = translation(from), now = translation(to);
-  Vector3d way = now - before;
+  auto way = difference_of(now, before);
   if (rotation) {
     const HalfTurns half(*rotation, from, to);
-    way += half.forth * (start - rotation->about - before) + half.back * (end - rotation->about - now);
+    const auto first_arm = difference_of(difference_of(start, rotation->about), before);
+    const auto last_arm = difference_of(difference_of(end, rotation->about), now);
+    add_scaled(1, sum_of(product(half.forth, first_arm), product(half.back, last_arm)), way);
   }
   return way;
 }
@@ -181,7 +209,7 @@ Obstacle make_obstacle(const study::Obstacle& obstacle, study::Physics physics,
                 .functions = {},
                 .base = {},
                 .rotation = {}};
-  if (const Vector3d direction = vector_of(obstacle.direction); !direction.isZero(0))
+  if (const Vector3d direction = vector_of(obstacle.direction); !is_zero(direction))
     made.direction = direction.stableNormalized();
   if (physics == study::Physics::axisymmetric)
     take_meridian(made);
@@ -198,8 +226,10 @@ Obstacle make_obstacle(const study::Obstacle& obstacle, study::Physics physics,
 
 PlaceOnObstacle place_on(const Obstacle& obstacle, const Pose& pose, const Vector3d& x,
                          const Vector3d& reference) {
-  const auto kind = std::ranges::find(kinds, obstacle.kind, &Kind::kind);
-  return kind->place(obstacle, pose.turn, x - obstacle.point - pose.offset, reference - obstacle.point);
+  const auto* const kind =
+      std::find_if(kinds.begin(), kinds.end(), [&](const Kind& one) { return one.kind == obstacle.kind; });
+  return kind->place(obstacle, pose.turn, difference_of(difference_of(x, obstacle.point), pose.offset),
+                     difference_of(reference, obstacle.point));
 }
 
 } // namespace rubato::contact

@@ -2,6 +2,7 @@
 #include "rubato/contact/pairing.hpp"
 
 #include "rubato/contact/point_tree.hpp"
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/core/tolerances.hpp"
 
 #include <algorithm>
@@ -40,9 +41,16 @@ struct Candidate {
 bool is_farther(const Face& face, const FaceCoordinates& nodes, const Vector3d& point, double distance) {
   if (face.node_count != cell::topology(face.type).corner_count)
     return false;
-  const Vector3d below = nodes.rowwise().minCoeff() - point;
-  const Vector3d above = point - nodes.rowwise().maxCoeff();
-  const double squared = below.cwiseMax(above).cwiseMax(0.0).squaredNorm();
+  double squared = 0;
+  for (int i = 0; i < 3; ++i) {
+    double low = nodes(i, 0), high = low;
+    for (int node = 1; node < face.node_count; ++node) {
+      low = std::min(low, nodes(i, node));
+      high = std::max(high, nodes(i, node));
+    }
+    const double outside = std::max({low - point[i], point[i] - high, 0.0});
+    squared += outside * outside;
+  }
   return squared > (1 + rounding) * distance * distance;
 }
 
@@ -59,7 +67,8 @@ void consider(const Zone& zone, int face_index, const Vector3d& point, std::span
                       0};
   if (one_inside && !candidate.projection.inside())
     return;
-  candidate.distance = (point - face_position(face.type, nodes, candidate.projection.clamped)).norm();
+  candidate.distance =
+      length_of(difference_of(point, face_position(face.type, nodes, candidate.projection.clamped)));
   if (candidate.precedes(best, rounding_of_distance))
     best = candidate;
 }
@@ -76,7 +85,7 @@ Pair pair_of(const Candidate& best) {
 Pair pair_around(const Zone& zone, std::size_t node, const Vector3d& x, std::span<const Vector3d> master,
                  int guess) {
   const auto& faces = zone.master.faces_of_node[node];
-  const bool guessed = std::ranges::find(faces, guess) != faces.end();
+  const bool guessed = std::find(faces.begin(), faces.end(), guess) != faces.end();
   Candidate best;
   if (guessed)
     consider(zone, guess, x, master, best);
@@ -102,17 +111,17 @@ Pair pair_on(const Zone& zone, int face, const Vector3d& x, std::span<const Vect
 FaceCoordinates deformed(const Face& face, const Configuration& configuration) {
   FaceCoordinates coordinates(3, face.node_count);
   for (int i = 0; i < face.node_count; ++i)
-    coordinates.col(i) = configuration.position(face.nodes[static_cast<std::size_t>(i)]);
+    set_column(i, configuration.position(face.nodes[static_cast<std::size_t>(i)]), coordinates);
   return coordinates;
 }
 
 Vector3d position(const SlavePoint& point, const Configuration& configuration) {
   if (point.node_position >= 0)
     return configuration.position(point.nodes.front());
-  Vector3d x = Vector3d::Zero();
+  Vector3d x(0, 0, 0);
   for (std::size_t i = 0; i < point.nodes.size(); ++i)
     if (point.shape[i] != 0)
-      x += point.shape[i] * configuration.position(point.nodes[i]);
+      add_scaled(point.shape[i], configuration.position(point.nodes[i]), x);
   return x;
 }
 

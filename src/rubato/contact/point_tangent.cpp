@@ -1,16 +1,34 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/point_tangent.hpp"
 
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/contact/spring_friction.hpp"
+
+#include <array>
 
 namespace rubato::contact {
 namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
+using Eigen::Vector3d;
 
 /// The law's derivatives with respect to λ, Λ₁, Λ₂ stand behind those of g and Δs.
 constexpr int first_multiplier = 3;
+
+using Frame = std::array<Vector3d, 3>;
+
+Vector3d in_frame(const Frame& frame, const Vector3d& v) {
+  return sum_of(sum_of(scaled(v[0], frame[0]), scaled(v[1], frame[1])), scaled(v[2], frame[2]));
+}
+
+/// Whether the place on the master does not move, as in a held frame.
+bool has_no_slope(const Kinematics& k) {
+  for (Index node = 0; node < k.shape_slope.rows(); ++node)
+    if (k.shape_slope(node, 0) != 0 || k.shape_slope(node, 1) != 0)
+      return false;
+  return true;
+}
 
 void collect_dofs(const Kinematics& k, const domain::DofMap& map, std::vector<int>& dofs) {
   dofs.clear();
@@ -20,8 +38,7 @@ void collect_dofs(const Kinematics& k, const domain::DofMap& map, std::vector<in
 }
 
 /// N and H: what a force at the point, and a change of its place on the master, put on q.
-void collect_interpolation(const Kinematics& k, const Eigen::Vector3d& force, int n_xi,
-                           MatrixXd& interpolation) {
+void collect_interpolation(const Kinematics& k, const Vector3d& force, int n_xi, MatrixXd& interpolation) {
   const int d = k.stencil.components;
   interpolation.setZero(d + n_xi, k.unknowns());
   for (Index node = 0; node < k.stencil.weights.size(); ++node)
@@ -36,8 +53,20 @@ void collect_interpolation(const Kinematics& k, const Eigen::Vector3d& force, in
 
 MatrixXd FactoredResponse::force_by_displacement() const {
   MatrixXd rows(interpolation.rows(), d_du.cols());
-  rows << d_du.topRows(components), d_du.bottomRows(n_xi);
+  for (Index q = 0; q < d_du.cols(); ++q)
+    for (Index i = 0; i < rows.rows(); ++i)
+      rows(i, q) = d_du(i < components ? i : multipliers() + i, q);
   return rows;
+}
+
+PointEquations FactoredResponse::multiplier_equations() const {
+  PointEquations of{equations, {}};
+  const Index m = multipliers();
+  of.by_multiplier.resize(m, m);
+  for (Index a = 0; a < m; ++a)
+    for (Index b = 0; b < m; ++b)
+      of.by_multiplier(a, b) = by_multiplier(components + a, b);
+  return of;
 }
 
 void factor_response(const ZoneLaw& law, std::size_t point, const PointEvaluation& evaluation, Status status,
@@ -50,41 +79,45 @@ void factor_response(const ZoneLaw& law, std::size_t point, const PointEvaluatio
   const int d = k.stencil.components;
   const auto m = static_cast<Index>(variables.size());
 
-  Eigen::Matrix3d frame;
-  frame << k.normal, k.tangents.col(0), k.tangents.col(1);
-  const Eigen::Matrix3d in_space = -weight * frame;
-  const Eigen::Vector3d force = in_space * response.traction;
-  const Eigen::Matrix3d force_by_measures = in_space * response.d_traction.leftCols<3>();
-  const Eigen::Matrix3d force_by_multiplier = in_space * response.d_traction.rightCols<3>();
-  const Eigen::Matrix3d equations_by_measures = weight * response.d_equations.leftCols<3>();
-  const Eigen::Vector3d traction = -weight * response.kept_traction();
+  const Frame in_space{scaled(-weight, k.normal), scaled(-weight, column_of(k.tangents, 0)),
+                       scaled(-weight, column_of(k.tangents, 1))};
+  const auto force = in_frame(in_space, response.traction);
+  std::array<Vector3d, 6> force_by_variable; // g, Δs₁, Δs₂, λ, Λ₁, Λ₂
+  for (std::size_t i = 0; i < force_by_variable.size(); ++i)
+    force_by_variable[i] = in_frame(in_space, column_of(response.d_traction, static_cast<Index>(i)));
+  const auto kept = response.kept_traction();
+  const auto traction = scaled(-weight, kept);
 
   collect_dofs(k, dofs, into.dofs);
   into.components = d;
-  into.n_xi = k.shape_slope.isZero(0) ? 0 : k.parametric_dimension;
-  into.force = force.head(d);
-  collect_interpolation(k, response.kept_friction == 1 ? force : Eigen::Vector3d(frame * traction), into.n_xi,
+  into.n_xi = has_no_slope(k) ? 0 : k.parametric_dimension;
+  into.force.resize(d);
+  for (int i = 0; i < d; ++i)
+    into.force[i] = force[i];
+  collect_interpolation(k, response.kept_friction == 1 ? force : in_frame(in_space, kept), into.n_xi,
                         into.interpolation);
   into.d_du.resize(d + m + into.n_xi, k.unknowns());
   for (Index q = 0; q < k.unknowns(); ++q) {
-    const Eigen::Vector3d measures(k.d_gap[q], k.d_slip(0, q), k.d_slip(1, q));
-    const Eigen::Vector3d d_force = force_by_measures * measures + traction[0] * k.d_normal.col(q) +
-                                    traction[1] * k.d_tangent[0].col(q) + traction[2] * k.d_tangent[1].col(q);
-    const Eigen::Vector3d d_equations = equations_by_measures * measures;
-    double* entry = into.d_du.col(q).data();
+    const Vector3d measures(k.d_gap[q], k.d_slip(0, q), k.d_slip(1, q));
+    Index row = 0;
     for (int a = 0; a < d; ++a)
-      *entry++ = d_force[a];
+      into.d_du(row++, q) = force_by_variable[0][a] * measures[0] + force_by_variable[1][a] * measures[1] +
+                            force_by_variable[2][a] * measures[2] + traction[0] * k.d_normal(a, q) +
+                            traction[1] * k.d_tangent[0](a, q) + traction[2] * k.d_tangent[1](a, q);
     for (const int a : variables)
-      *entry++ = d_equations[a];
+      into.d_du(row++, q) =
+          weight * (response.d_equations(a, 0) * measures[0] + response.d_equations(a, 1) * measures[1] +
+                    response.d_equations(a, 2) * measures[2]);
     for (int a = 0; a < into.n_xi; ++a)
-      *entry++ = k.d_projection(a, q);
+      into.d_du(row++, q) = k.d_projection(a, q);
   }
   into.by_multiplier.resize(d + m, m);
   into.equations.resize(m);
   for (Index row = 0; row < m; ++row) {
     const int a = variables[static_cast<std::size_t>(row)];
     into.equations[row] = weight * response.equations[a];
-    into.by_multiplier.col(row).head(d) = force_by_multiplier.col(a).head(d);
+    for (int i = 0; i < d; ++i)
+      into.by_multiplier(i, row) = force_by_variable[static_cast<std::size_t>(first_multiplier + a)][i];
     for (Index column = 0; column < m; ++column)
       into.by_multiplier(d + row, column) =
           weight * response.d_equations(a, first_multiplier + variables[static_cast<std::size_t>(column)]);

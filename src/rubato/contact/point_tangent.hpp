@@ -38,7 +38,7 @@ struct FactoredResponse {
   int multipliers() const { return static_cast<int>(equations.size()); }
   /// Z_q over P: what the rows of `interpolation` are multiplied with as q changes.
   Eigen::MatrixXd force_by_displacement() const;
-  PointEquations multiplier_equations() const { return {equations, by_multiplier.bottomRows(multipliers())}; }
+  PointEquations multiplier_equations() const;
 };
 
 /// A point in contact, written into the storage of another one.

@@ -2,9 +2,7 @@
 #include "rubato/contact/projection.hpp"
 
 #include "rubato/cell/reference_cell.hpp"
-
-#include <Eigen/Geometry>
-#include <Eigen/LU>
+#include "rubato/contact/small_vectors.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +15,6 @@
 namespace rubato::contact {
 namespace {
 
-using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
@@ -31,7 +28,7 @@ constexpr double steps_outside = 10;
 constexpr double far_away = 8.0;
 
 void finish(Projection& p) {
-  p.overshoot = (p.xi - p.clamped).norm();
+  p.overshoot = length_of(difference_of(p.xi, p.clamped));
   if (p.overshoot > snap)
     return;
   p.overshoot = 0;
@@ -53,17 +50,19 @@ void clamp_to_triangle(Projection& p) {
     return;
   double best = INFINITY;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Vector2d edge = corners[(i + 1) % 3] - corners[i];
-    const double along = (p.xi - corners[i]).dot(edge) / edge.squaredNorm();
+    const auto edge = difference_of(corners[(i + 1) % 3], corners[i]);
+    const double squared = dot(edge, edge);
+    const double along = dot(difference_of(p.xi, corners[i]), edge) / squared;
     const double kept = std::clamp(along, 0.0, 1.0);
-    const Vector2d candidate = corners[i] + kept * edge;
-    const double distance = (p.xi - candidate).norm();
+    const Vector2d candidate(corners[i][0] + kept * edge[0], corners[i][1] + kept * edge[1]);
+    const double distance = length_of(difference_of(p.xi, candidate));
     if (distance >= best)
       continue;
     best = distance;
     p.clamped = candidate;
-    p.clamp_derivative =
-        kept == along ? Matrix2d(edge * edge.transpose() / edge.squaredNorm()) : Matrix2d::Zero();
+    for (int a = 0; a < 2; ++a)
+      for (int b = 0; b < 2; ++b)
+        p.clamp_derivative(a, b) = kept == along ? edge[a] * edge[b] / squared : 0;
   }
 }
 
@@ -132,15 +131,20 @@ template <class Kind> FaceShape shape_of(const cell::ReferenceCell& cell, const 
   return shape;
 }
 
+void set_tangent(int a, const Vector3d& tangent, FaceGeometry& at) {
+  for (int i = 0; i < 3; ++i)
+    at.tangents(i, a) = tangent[i];
+}
+
 template <class Kind> FaceGeometry geometry_of(const FaceCoordinates& nodes, const FaceShape& shape) {
   constexpr int d = Kind::dimension;
   FaceGeometry at;
   at.position = weighted_sum<Kind::nodes, 1>(nodes, shape.values.data());
-  at.tangents.col(1) = Vector3d::UnitZ();
+  set_tangent(1, Vector3d(0, 0, 1), at);
   for (int a = 0; a < d; ++a)
-    at.tangents.col(a) = weighted_sum<Kind::nodes, d>(nodes, shape.gradients.data() + a);
+    set_tangent(a, weighted_sum<Kind::nodes, d>(nodes, shape.gradients.data() + a), at);
   for (auto& row : at.curvatures)
-    row.fill(Vector3d::Zero());
+    row.fill(Vector3d(0, 0, 0));
   if constexpr (!Kind::affine) {
     at.curvatures[0][0] = weighted_sum<Kind::nodes, d * d>(nodes, shape.hessians.data());
     if constexpr (d == 2) {
@@ -172,16 +176,18 @@ private:
 template <> class FaceMap<FaceKind<1, 2>> {
 public:
   FaceMap(const FaceCoordinates& nodes, const cell::ReferenceCell& /*unused*/)
-      : a_(0.5 * (nodes.col(1) + nodes.col(0))), b_(0.5 * (nodes.col(1) - nodes.col(0))) {}
+      : a_(scaled(0.5, sum_of(column_of(nodes, 1), column_of(nodes, 0)))),
+        b_(scaled(0.5, difference_of(column_of(nodes, 1), column_of(nodes, 0)))) {}
   FaceGeometry at(const Vector2d& xi) const {
     FaceGeometry geometry;
     geometry.position = position(xi);
-    geometry.tangents << b_, Vector3d::UnitZ();
+    set_tangent(0, b_, geometry);
+    set_tangent(1, Vector3d(0, 0, 1), geometry);
     for (auto& row : geometry.curvatures)
-      row.fill(Vector3d::Zero());
+      row.fill(Vector3d(0, 0, 0));
     return geometry;
   }
-  Vector3d position(const Vector2d& xi) const { return a_ + xi[0] * b_; }
+  Vector3d position(const Vector2d& xi) const { return sum_of(a_, scaled(xi[0], b_)); }
 
 private:
   Vector3d a_, b_;
@@ -191,23 +197,27 @@ private:
 template <> class FaceMap<FaceKind<2, 4>> {
 public:
   FaceMap(const FaceCoordinates& nodes, const cell::ReferenceCell& /*unused*/) {
-    const Vector3d below = 0.25 * (nodes.col(0) + nodes.col(1)), above = 0.25 * (nodes.col(2) + nodes.col(3));
-    const Vector3d along = 0.25 * (nodes.col(1) - nodes.col(0)), back = 0.25 * (nodes.col(2) - nodes.col(3));
-    a_ = above + below;
-    c_ = above - below;
-    b_ = back + along;
-    d_ = back - along;
+    for (int i = 0; i < 3; ++i) {
+      const double below = 0.25 * (nodes(i, 0) + nodes(i, 1)), above = 0.25 * (nodes(i, 2) + nodes(i, 3));
+      const double along = 0.25 * (nodes(i, 1) - nodes(i, 0)), back = 0.25 * (nodes(i, 2) - nodes(i, 3));
+      a_[i] = above + below;
+      c_[i] = above - below;
+      b_[i] = back + along;
+      d_[i] = back - along;
+    }
   }
   FaceGeometry at(const Vector2d& xi) const {
     FaceGeometry geometry;
-    geometry.tangents.col(0) = b_ + xi[1] * d_;
-    geometry.tangents.col(1) = c_ + xi[0] * d_;
+    set_tangent(0, sum_of(b_, scaled(xi[1], d_)), geometry);
+    set_tangent(1, sum_of(c_, scaled(xi[0], d_)), geometry);
     geometry.position = position(xi);
-    geometry.curvatures[0] = {Vector3d::Zero(), d_};
-    geometry.curvatures[1] = {d_, Vector3d::Zero()};
+    geometry.curvatures[0] = {Vector3d(0, 0, 0), d_};
+    geometry.curvatures[1] = {d_, Vector3d(0, 0, 0)};
     return geometry;
   }
-  Vector3d position(const Vector2d& xi) const { return a_ + xi[0] * (b_ + xi[1] * d_) + xi[1] * c_; }
+  Vector3d position(const Vector2d& xi) const {
+    return sum_of(sum_of(a_, scaled(xi[0], sum_of(b_, scaled(xi[1], d_)))), scaled(xi[1], c_));
+  }
 
 private:
   Vector3d a_, b_, c_, d_;
@@ -218,24 +228,36 @@ struct Step {
   bool by_newton;
 };
 
+/// A matrix of two rows.
+struct Symmetric {
+  double m00, m01, m11;
+
+  double determinant() const { return m00 * m11 - m01 * m01; }
+  Vector2d solve(const Vector2d& right) const {
+    const double inverse = 1 / determinant();
+    return {m11 * inverse * right[0] - m01 * inverse * right[1],
+            m00 * inverse * right[1] - m01 * inverse * right[0]};
+  }
+};
+
 /// One Newton step for the stationary distance; the Gauss–Newton matrix stands in where curvature spoils the
 /// minimum.
 template <class Kind> Step next_step(const FaceGeometry& at, const Vector3d& point) {
-  const Vector3d distance = point - at.position;
+  const auto distance = difference_of(point, at.position);
+  const auto first = column_of(at.tangents, 0), second = column_of(at.tangents, 1);
   if constexpr (Kind::dimension == 1) {
-    const double metric = at.tangents.col(0).squaredNorm();
-    const double exact = metric - distance.dot(at.curvatures[0][0]);
+    const double metric = dot(first, first);
+    const double exact = metric - dot(distance, at.curvatures[0][0]);
     const bool minimum = exact > 0.1 * metric;
-    return {{distance.dot(at.tangents.col(0)) / (minimum ? exact : metric), 0.0}, minimum};
+    return {{dot(distance, first) / (minimum ? exact : metric), 0.0}, minimum};
   } else {
-    const Matrix2d metric = at.tangents.transpose() * at.tangents;
-    Matrix2d exact = metric;
-    for (int a = 0; a < 2; ++a)
-      for (int b = 0; b < 2; ++b)
-        exact(a, b) -= distance.dot(at.curvatures[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)]);
-    const bool minimum = exact.determinant() > 0.01 * metric.determinant() && exact(0, 0) > 0;
-    const Vector2d slope = at.tangents.transpose() * distance;
-    return {(minimum ? exact : metric).inverse() * slope, minimum};
+    const Symmetric metric{dot(first, first), dot(first, second), dot(second, second)};
+    const Symmetric exact{metric.m00 - dot(distance, at.curvatures[0][0]),
+                          metric.m01 - dot(distance, at.curvatures[0][1]),
+                          metric.m11 - dot(distance, at.curvatures[1][1])};
+    const bool minimum = exact.determinant() > 0.01 * metric.determinant() && exact.m00 > 0;
+    const Vector2d slope(dot(first, distance), dot(second, distance));
+    return {minimum ? exact.solve(slope) : metric.solve(slope), minimum};
   }
 }
 
@@ -252,7 +274,7 @@ template <class Kind> double beyond(const Vector2d& xi) {
     return std::abs(xi[0]) - 1;
   if constexpr (Kind::triangle)
     return std::max({-xi[0], -xi[1], (xi[0] + xi[1] - 1) / std::numbers::sqrt2});
-  return xi.lpNorm<Eigen::Infinity>() - 1;
+  return std::max(std::abs(xi[0]), std::abs(xi[1])) - 1;
 }
 
 template <class Kind>
@@ -263,13 +285,14 @@ void iterate(const FaceCoordinates& nodes, const Vector3d& point, Wanted wanted,
   for (int iteration = 0; iteration < max_iterations && !result.converged; ++iteration) {
     const auto at = face.at(result.xi);
     const auto step = next_step<Kind>(at, point);
-    if (!step.by.allFinite())
+    if (!std::isfinite(step.by[0]) || !std::isfinite(step.by[1]))
       break;
-    result.xi += step.by;
-    const double size = result.xi.norm();
+    for (int a = 0; a < 2; ++a)
+      result.xi[a] += step.by[a];
+    const double size = length_of(result.xi);
     if (size > far_away)
-      result.xi *= far_away / size;
-    const double length = step.by.norm();
+      result.xi = scaled(far_away / size, result.xi);
+    const double length = length_of(step.by);
     result.converged =
         Kind::affine ? size <= far_away : settled(before, length, step.by_newton, std::max(1.0, size));
     // Rounding keeps the last digit moving on long faces; a step of a few of them changes nothing any more.

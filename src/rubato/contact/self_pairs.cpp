@@ -4,10 +4,9 @@
 #include "rubato/contact/mortar/search.hpp"
 #include "rubato/contact/motion.hpp"
 #include "rubato/contact/projection.hpp"
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/contact/two_sides.hpp"
 #include "rubato/core/index.hpp"
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -36,14 +35,15 @@ constexpr double sideways = 0.1;
 
 /// From the corners alone; in 2D (t_y, −t_x). 0 of a face without area.
 Vector3d unit_normal(CellType type, const FaceCoordinates& x) {
+  const auto between = [&](int from, int to) { return difference_of(column_of(x, to), column_of(x, from)); };
   Vector3d normal;
   if (parametric_dimension(type) == 1) {
-    const Vector3d along = x.col(1) - x.col(0);
-    normal = {along.y(), -along.x(), 0};
+    const auto along = between(0, 1);
+    normal = {along[1], -along[0], 0};
   } else if (cell::topology(type).corner_count == 4) {
-    normal = (x.col(2) - x.col(0)).cross(Vector3d(x.col(3) - x.col(1)));
+    normal = cross(between(0, 2), between(1, 3));
   } else {
-    normal = (x.col(1) - x.col(0)).cross(Vector3d(x.col(2) - x.col(0)));
+    normal = cross(between(0, 1), between(0, 2));
   }
   return normal.stableNormalized();
 }
@@ -52,9 +52,14 @@ std::vector<FlatFace> flat_faces(const Surface& surface, std::span<const Vector3
   std::vector<FlatFace> flat;
   for (const auto& face : surface.faces) {
     const auto nodes = values_of(face, x);
-    const Vector3d centre = nodes.rowwise().mean();
-    flat.push_back({centre, unit_normal(face.type, nodes),
-                    std::sqrt((nodes.colwise() - centre).colwise().squaredNorm().maxCoeff())});
+    Vector3d sum(0, 0, 0);
+    for (int i = 0; i < face.node_count; ++i)
+      add_scaled(1, column_of(nodes, i), sum);
+    const Vector3d centre(sum[0] / face.node_count, sum[1] / face.node_count, sum[2] / face.node_count);
+    double size = 0;
+    for (int i = 0; i < face.node_count; ++i)
+      size = std::max(size, length_of(difference_of(column_of(nodes, i), centre)));
+    flat.push_back({centre, unit_normal(face.type, nodes), size});
   }
   return flat;
 }
@@ -63,26 +68,31 @@ std::vector<FlatFace> flat_faces(const Surface& surface, std::span<const Vector3
 /// where they are askew: next to a fold the nearest faces that look at each other are neighbours of
 /// neighbours.
 double apart_of(const FlatFace& one, const FlatFace& other) {
-  const Vector3d way = other.centre - one.centre;
-  const Vector3d across = (one.normal - other.normal).stableNormalized();
-  const double ahead = way.dot(across);
-  const double beside = std::sqrt(std::max(0.0, way.squaredNorm() - ahead * ahead));
+  const auto way = difference_of(other.centre, one.centre);
+  const auto across = unit_of(difference_of(one.normal, other.normal));
+  const double ahead = dot(way, across);
+  const double beside = std::sqrt(std::max(0.0, dot(way, way) - ahead * ahead));
   const double beyond = std::max(0.0, beside - one.size - other.size);
-  return (std::hypot(ahead, beyond) + sideways * beside) / std::pow(-one.normal.dot(other.normal), 4);
+  return (std::hypot(ahead, beyond) + sideways * beside) / std::pow(-dot(one.normal, other.normal), 4);
+}
+
+/// From one corner to the other, grown by a distance to all sides.
+mortar::Box box_around(const Vector3d& low, const Vector3d& high, double distance) {
+  const Vector3d grown(distance, distance, distance);
+  return {difference_of(low, grown), sum_of(high, grown)};
 }
 
 /// Pairs (low, high) of faces near each other, found by boxes around the flat ones grown by a distance.
 std::vector<std::pair<int, int>> near_pairs(std::span<const FlatFace> faces, double distance) {
   std::vector<mortar::Box> boxes;
   for (const auto& face : faces)
-    boxes.emplace_back(face.centre.array() - face.size, face.centre.array() + face.size);
+    boxes.push_back(box_around(face.centre, face.centre, face.size));
   mortar::FaceSearch search;
   search.build(boxes);
   std::vector<std::pair<int, int>> pairs;
   std::vector<int> near;
-  const Vector3d grown = Vector3d::Constant(distance);
   for (std::size_t a = 0; a < boxes.size(); ++a) {
-    search.find(mortar::Box(boxes[a].min() - grown, boxes[a].max() + grown), near);
+    search.find(box_around(boxes[a].min(), boxes[a].max(), distance), near);
     for (const int b : near)
       if (at(b) > a)
         pairs.emplace_back(static_cast<int>(a), b);
@@ -91,13 +101,13 @@ std::vector<std::pair<int, int>> near_pairs(std::span<const FlatFace> faces, dou
 }
 
 bool look_at_each_other(const FlatFace& one, const FlatFace& other) {
-  return one.normal.dot(other.normal) < facing;
+  return dot(one.normal, other.normal) < facing;
 }
 
 /// How far each is behind the other; negative where one is in front.
 double overlap_of(const FlatFace& one, const FlatFace& other) {
-  const Vector3d apart = other.centre - one.centre;
-  return std::min(-apart.dot(one.normal), apart.dot(other.normal));
+  const auto apart = difference_of(other.centre, one.centre);
+  return std::min(-dot(apart, one.normal), dot(apart, other.normal));
 }
 
 std::vector<std::pair<int, int>> neighbours_of(const Surface& surface) {
@@ -154,9 +164,9 @@ void SelfPairs::measure_thickness() {
     if (!back_to_back(at(low), at(high)))
       continue;
     const double thickness = overlap_of(one, other);
-    const double beside =
-        std::sqrt(std::max(0.0, (other.centre - one.centre).squaredNorm() - thickness * thickness));
-    if (beside > one.size + other.size || one.normal.dot(other.normal) > opposite)
+    const auto apart = difference_of(other.centre, one.centre);
+    const double beside = std::sqrt(std::max(0.0, dot(apart, apart) - thickness * thickness));
+    if (beside > one.size + other.size || dot(one.normal, other.normal) > opposite)
       continue;
     for (const auto face : {at(low), at(high)})
       thickness_[face] = std::min(thickness_[face], thickness);
@@ -164,7 +174,7 @@ void SelfPairs::measure_thickness() {
 }
 
 bool SelfPairs::face_each_other(std::span<const Vector3d> normals, int one, int other) const {
-  return normals[at(one)].dot(normals[at(other)]) < facing;
+  return dot(normals[at(one)], normals[at(other)]) < facing;
 }
 
 bool SelfPairs::share_a_node(const Face& one, const Face& other) const {
@@ -177,22 +187,22 @@ bool SelfPairs::share_a_node(const Face& one, const Face& other) const {
 bool SelfPairs::back_to_back(std::size_t one, std::size_t other) const {
   const auto &a = undeformed_[one], &b = undeformed_[other];
   return look_at_each_other(a, b) && overlap_of(a, b) > 0 &&
-         (b.centre - a.centre).norm() < margin * reach_ + a.size + b.size;
+         length_of(difference_of(b.centre, a.centre)) < margin * reach_ + a.size + b.size;
 }
 
 /// Whether one stands behind the other where the step begins, by more than faces that touch overlap: a body
 /// is between them.
 bool SelfPairs::is_behind(std::size_t one, std::size_t other) const {
   const auto &a = now_[one], &b = now_[other];
-  const Vector3d apart = b.centre - a.centre;
-  const double behind = std::max(-apart.dot(a.normal), apart.dot(b.normal));
+  const auto apart = difference_of(b.centre, a.centre);
+  const double behind = std::max(-dot(apart, a.normal), dot(apart, b.normal));
   return behind > std::min(through * std::min(thickness_[one], thickness_[other]), a.size + b.size);
 }
 
 /// Whether a face beyond a sharp edge of the one looks at the other more: at the edge it is that which meets
 /// it.
 bool SelfPairs::is_passed_over(std::size_t one, std::size_t other) const {
-  const auto product = [&](std::size_t face) { return now_[face].normal.dot(now_[other].normal); };
+  const auto product = [&](std::size_t face) { return dot(now_[face].normal, now_[other].normal); };
   const double own = product(one) - more_opposite;
   return std::ranges::any_of(across_edge_[one], [&](int face) { return product(at(face)) < own; });
 }
@@ -244,7 +254,7 @@ void SelfPairs::give_roles(std::span<const Meeting> meetings) {
 /// which they are farthest apart.
 bool SelfPairs::is_before(int one, int other) const {
   const auto &a = undeformed_[at(one)], &b = undeformed_[at(other)];
-  const Vector3d apart = a.centre - b.centre;
+  const auto apart = difference_of(a.centre, b.centre);
   const int axis = strongest_axis(apart);
   return std::abs(apart[axis]) > same_place * (a.size + b.size) ? apart[axis] > 0 : one > other;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/shared_nodes.hpp"
 
+#include "rubato/contact/small_vectors.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -35,13 +37,14 @@ FrictionDirections common_directions(const Kinematics& of, std::span<const Eigen
   const bool in_plane = of.stencil.components == 2;
   FrictionDirections left;
   for (const auto& normal : normals) {
-    const Eigen::Vector2d across = of.tangents.transpose() * normal;
-    const double size = in_plane ? std::abs(across[0]) : across.norm();
+    const Eigen::Vector2d across(dot(column_of(of.tangents, 0), normal),
+                                 dot(column_of(of.tangents, 1), normal));
+    const double size = in_plane ? std::abs(across[0]) : length_of(across);
     if (size <= same_surface)
       continue;
-    if (in_plane || (left.count == 1 && std::abs(across.dot(left.only)) > same_surface))
+    if (in_plane || (left.count == 1 && std::abs(dot(across, left.only)) > same_surface))
       return {.count = 0};
-    left = {.count = 1, .only = Eigen::Vector2d(-across[1], across[0]) / size};
+    left = {.count = 1, .only = {-across[1] / size, across[0] / size}};
   }
   return left;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/spring_friction.hpp"
 
+#include "rubato/contact/small_vectors.hpp"
+
 #include <cmath>
 
 namespace rubato::contact {
@@ -16,7 +18,9 @@ constexpr double falling = 0.5;
 
 /// Since the start of the step, in space.
 Vector3d slip_of(const PointEvaluation& point) {
-  return point.kinematics->tangents * point.variables.slip;
+  const auto& tangents = point.kinematics->tangents;
+  const auto& slip = point.variables.slip;
+  return sum_of(scaled(slip[0], column_of(tangents, 0)), scaled(slip[1], column_of(tangents, 1)));
 }
 
 /// The slip after a move, by the tangent.
@@ -24,8 +28,12 @@ Vector2d slip_after(const PointEvaluation& point, const domain::DofMap& dofs, co
   const auto& k = *point.kinematics;
   Vector2d slip = point.variables.slip;
   for (std::size_t node = 0; node < k.stencil.nodes.size(); ++node)
-    slip += k.d_slip.middleCols(static_cast<Index>(node) * k.stencil.components, k.stencil.components) *
-            move.segment(dofs.dof(k.stencil.nodes[node], 0), k.stencil.components);
+    for (int c = 0; c < k.stencil.components; ++c) {
+      const auto column = static_cast<Index>(node) * k.stencil.components + c;
+      const double moved = move[dofs.dof(k.stencil.nodes[node], c)];
+      slip[0] += k.d_slip(0, column) * moved;
+      slip[1] += k.d_slip(1, column) * moved;
+    }
   return slip;
 }
 
@@ -35,19 +43,20 @@ struct Passage {
   const PointEvaluation& before;
   const PointEvaluation& now;
 
-  bool turned() const { return slip_of(before).dot(slip_of(now)) < 0; }
-  bool falls() const { return now.variables.slip.norm() <= falling * before.variables.slip.norm(); }
+  bool turned() const { return dot(slip_of(before), slip_of(now)) < 0; }
+  bool falls() const { return length_of(now.variables.slip) <= falling * length_of(before.variables.slip); }
   bool was_free() const { return friction_pressure(before.variables, law) == 0; }
 
   /// Over a slip, with the pressure that the point has now.
   bool can_pull_back(const Vector2d& slip) const {
-    return law.resistance * slip.norm() <= law.friction * friction_pressure(now.variables, law);
+    return law.resistance * length_of(slip) <= law.friction * friction_pressure(now.variables, law);
   }
 
   bool sticks_at(const Vector2d& predicted) const {
     auto point = now.variables;
     point.slip = predicted;
-    return wanted_status(point, law) == Status::stick && can_pull_back(now.variables.slip - predicted);
+    return wanted_status(point, law) == Status::stick &&
+           can_pull_back({now.variables.slip[0] - predicted[0], now.variables.slip[1] - predicted[1]});
   }
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/springs.hpp"
 
+#include "rubato/contact/small_vectors.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -77,7 +79,7 @@ double spring_depth(const Zone& zone, const PointOutcome& outcome) {
 double stored_energy(const Zone& zone, const ZoneState& state) {
   double sum = 0;
   for (const auto& outcome : state.outcomes)
-    sum += 0.5 * spring_depth(zone, outcome) * outcome.normal.norm();
+    sum += 0.5 * spring_depth(zone, outcome) * length_of(outcome.normal);
   return sum;
 }
 
@@ -99,7 +101,8 @@ void limit_augmentations(const Zone& zone, double most, ZoneCoefficients& coeffi
 void keep_springs(const Zone& zone, const ZoneCoefficients& usual, ZoneCoefficients& coefficients) {
   const auto keep = [](const Coefficient& coefficient, const std::vector<double>& from,
                        std::vector<double>& values) {
-    std::ranges::transform(values, from, values.begin(), coefficient.at_length);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] = coefficient.at_length(values[i], from[i]);
   };
   keep(normal_of(zone), usual.normal, coefficients.normal);
   keep(normal_of(zone), usual.resistance, coefficients.resistance);

@@ -29,18 +29,18 @@ struct Stencil {
 
   /// Σ weight · value(node): of the slave point relative to the place it faces.
   template <class Value> Eigen::Vector3d sum(const Value& value) const {
-    Eigen::Vector3d total = Eigen::Vector3d::Zero();
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      if (is_uniform())
-        total += weights[static_cast<Eigen::Index>(i)] * value(nodes[i]);
-      else
-        total += by_component.row(static_cast<Eigen::Index>(i)).transpose().cwiseProduct(value(nodes[i]));
+    Eigen::Vector3d total(0, 0, 0);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const Eigen::Vector3d of_node = value(nodes[i]);
+      for (int c = 0; c < 3; ++c)
+        total[c] += weight(static_cast<Eigen::Index>(i), c) * of_node[c];
+    }
     return total;
   }
 
   /// The same of values, one a dof.
   Eigen::Vector3d gather(const Eigen::VectorXd& values, const domain::DofMap& dofs) const {
-    Eigen::Vector3d total = Eigen::Vector3d::Zero();
+    Eigen::Vector3d total(0, 0, 0);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       const auto first = dofs.dof(nodes[i], 0);
       for (int c = 0; c < components; ++c)
@@ -81,7 +81,7 @@ struct NumberedStencil {
   void take(const Stencil& stencil, const domain::DofMap& dofs, const std::vector<int>& number);
   /// Σ weight · values
   Eigen::Vector3d gather(const Eigen::VectorXd& values) const {
-    Eigen::Vector3d total = Eigen::Vector3d::Zero();
+    Eigen::Vector3d total(0, 0, 0);
     for (const auto& node : nodes)
       for (std::size_t c = 0; c < 3; ++c)
         if (const int at = node.at[c]; at >= 0)

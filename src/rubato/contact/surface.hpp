@@ -49,7 +49,8 @@ Surface make_surface(const mesh::Mesh& mesh, std::vector<Face> faces);
 inline FaceCoordinates values_of(const Face& face, std::span<const Eigen::Vector3d> values) {
   FaceCoordinates of_face(3, face.node_count);
   for (int i = 0; i < face.node_count; ++i)
-    of_face.col(i) = values[static_cast<std::size_t>(face.positions[static_cast<std::size_t>(i)])];
+    for (int c = 0; c < 3; ++c)
+      of_face(c, i) = values[static_cast<std::size_t>(face.positions[static_cast<std::size_t>(i)])][c];
   return of_face;
 }
 

@@ -4,9 +4,11 @@
 #include "rubato/contact/frozen_frame.hpp"
 #include "rubato/contact/mortar/operators.hpp"
 #include "rubato/contact/motion.hpp"
+#include "rubato/contact/small_vectors.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -23,11 +25,12 @@ constexpr double beside = 0.05;
 /// Turns the frame to the axes and counts gap and slip from where nothing is displaced.
 void hold_components(const Configuration& rest, Kinematics& k) {
   k.facing = k.normal;
-  k.normal = Vector3d::UnitX();
-  k.tangents << Vector3d::UnitY(), Vector3d::UnitZ();
+  k.normal = {1, 0, 0};
+  k.tangents.setZero();
+  k.tangents(1, 0) = k.tangents(2, 1) = 1;
   k.closest_point.setZero();
   k.obstacle_displacement.setZero();
-  k.gap_origin = k.normal.dot(k.stencil.sum([&](auto node) { return rest.position(node); }));
+  k.gap_origin = dot(k.normal, k.stencil.sum([&](auto node) { return rest.position(node); }));
   k.slip_origin.setZero();
   k.gap = 0;
   k.slip.setZero();
@@ -39,16 +42,18 @@ void hold_components(const Configuration& rest, Kinematics& k) {
 /// Whether the point stands before the master, not beside it or far from it.
 bool stands_before(const Zone& zone, const Kinematics& k, const Configuration& rest) {
   const Vector3d apart = k.stencil.sum([&](auto node) { return rest.position(node); });
-  const double along = (apart - apart.dot(k.normal) * k.normal).norm();
+  const double along = length_of(part_across(k.normal, apart));
   return along <= beside * zone.master.shortest_edge &&
-         std::abs(apart.dot(k.normal)) <= zone.slave.longest_edge;
+         std::abs(dot(apart, k.normal)) <= zone.slave.longest_edge;
 }
 
 void release_held(const Zone& zone, std::size_t position, Stencil& stencil) {
-  stencil.by_component = stencil.weights.replicate<1, 3>();
-  for (int c = 0; c < stencil.components; ++c)
-    if (zone.is_held(position, c))
-      stencil.by_component.col(c).setZero();
+  stencil.by_component.resize(stencil.weights.size(), 3);
+  for (int c = 0; c < 3; ++c) {
+    const bool held = c < stencil.components && zone.is_held(position, c);
+    for (Index i = 0; i < stencil.weights.size(); ++i)
+      stencil.by_component(i, c) = held ? 0 : stencil.weights[i];
+  }
 }
 
 std::vector<PointEvaluation> tied_nodes(const Zone& zone, const Configuration& rest) {
@@ -108,20 +113,22 @@ std::vector<mortar::Operators> operators_of(const Zone& zone, const Configuratio
 Stencil joined(std::span<const mortar::Operators> operators, std::size_t node, double weight) {
   Stencil stencil;
   stencil.components = static_cast<int>(operators.size());
-  std::map<mesh::NodeIndex, Eigen::RowVector3d> rows;
+  std::map<mesh::NodeIndex, std::array<double, 3>> rows;
   for (std::size_t c = 0; c < operators.size(); ++c) {
     const auto& of_component = operators[c].nodes[node];
     for (std::size_t i = 0; of_component.kept() && i < of_component.stencil.nodes.size(); ++i)
-      rows.try_emplace(of_component.stencil.nodes[i], Eigen::RowVector3d::Zero())
-          .first->second[static_cast<Index>(c)] +=
+      rows[of_component.stencil.nodes[i]][c] +=
           of_component.weight / weight * of_component.stencil.weights[static_cast<Index>(i)];
   }
   stencil.by_component.resize(static_cast<Index>(rows.size()), 3);
   stencil.weights.resize(static_cast<Index>(rows.size()));
   for (const auto& [at, row] : rows) {
     const auto i = static_cast<Index>(stencil.nodes.size());
-    stencil.by_component.row(i) = row;
-    stencil.weights[i] = row.cwiseAbs().maxCoeff();
+    stencil.weights[i] = 0;
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      stencil.by_component(i, static_cast<Index>(c)) = row[c];
+      stencil.weights[i] = std::max(stencil.weights[i], std::abs(row[c]));
+    }
     stencil.nodes.push_back(at);
   }
   return stencil;
@@ -131,7 +138,8 @@ std::vector<PointEvaluation> tied_by_mortar(const Zone& zone, const Configuratio
   const auto operators = operators_of(zone, rest);
   std::vector<PointEvaluation> points(zone.points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto kept = std::ranges::find_if(operators, [&](const auto& by) { return by.nodes[i].kept(); });
+    const auto kept = std::find_if(operators.begin(), operators.end(),
+                                   [&](const mortar::Operators& by) { return by.nodes[i].kept(); });
     if (kept == operators.end() || zone.points[i].excluded)
       continue;
     const auto& node = kept->nodes[i];

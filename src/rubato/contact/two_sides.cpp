@@ -2,6 +2,7 @@
 #include "rubato/contact/two_sides.hpp"
 
 #include "rubato/contact/self_pairs.hpp"
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/core/index.hpp"
 
 #include <algorithm>
@@ -64,16 +65,16 @@ private:
 
 /// Of one side of a set.
 struct Mean {
-  Vector3d sum = Vector3d::Zero();
+  Vector3d sum{0, 0, 0};
   double size = 0;
   int count = 0;
 
-  Vector3d centre() const { return sum / std::max(1, count); }
+  Vector3d centre() const { return scaled(1. / std::max(1, count), sum); }
 };
 
 /// Whether the side that is not the set's own is the farther one.
 bool other_is_farther(const std::array<Mean, 2>& sides) {
-  const Vector3d apart = sides[1].centre() - sides[0].centre();
+  const auto apart = difference_of(sides[1].centre(), sides[0].centre());
   const int axis = strongest_axis(apart);
   return apart[axis] > same_centre * std::max(sides[0].size, sides[1].size);
 }
@@ -89,9 +90,11 @@ int strongest_axis(const Vector3d& along) {
 }
 
 std::vector<Side> two_sides(std::size_t faces, std::vector<Joint> joints) {
-  std::ranges::sort(joints, {}, [](const Joint& joint) {
+  const auto key = [](const Joint& joint) {
     return std::tuple(joint.apart, !joint.opposite, joint.one, joint.other);
-  });
+  };
+  std::sort(joints.begin(), joints.end(),
+            [&](const Joint& one, const Joint& other) { return key(one) < key(other); });
   SidedSets sets(faces);
   for (const auto& joint : joints)
     sets.join(joint);

@@ -2,6 +2,7 @@
 #include "rubato/contact/velocity_frames.hpp"
 
 #include "rubato/contact/frozen_frame.hpp"
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/core/tolerances.hpp"
 
 #include <algorithm>
@@ -20,12 +21,12 @@ Vector3d way_of(const Zone& zone, const SlavePoint& point, const Kinematics& k, 
   const auto& obstacle = *zone.obstacle;
   const double end = start.t + step;
   const Vector3d here = k.stencil.sum([&](auto node) { return start.position(node); });
-  const Vector3d there = here + step * k.stencil.gather(velocity, *start.dofs);
+  const auto there = sum_of(here, scaled(step, k.stencil.gather(velocity, *start.dofs)));
   const Vector3d way = obstacle.way(here, there, start.t, end);
   if (!obstacle.rotation)
     return way;
   const auto gap_at = [&](double t) { return place_on(obstacle, obstacle.pose(t), there, point.place).gap; };
-  return way + (gap_at(start.t) - gap_at(end) - k.normal.dot(way)) * k.normal;
+  return sum_of(way, scaled(gap_at(start.t) - gap_at(end) - dot(k.normal, way), k.normal));
 }
 
 /// What moves in a step but the bodies.
@@ -36,7 +37,7 @@ struct Moving {
 
 /// Takes a frozen place along with the obstacle it is on, and the gap along with the offset.
 void carry(Kinematics& k, const Moving& moving) {
-  k.closest_point += moving.obstacle;
+  add_scaled(1, moving.obstacle, k.closest_point);
   k.obstacle_displacement = moving.obstacle;
   k.gap_origin -= moving.offset;
 }
@@ -54,7 +55,8 @@ void count_from(const Vector3d& relative, double normal, const Moving& moving, c
   const double origin =
       holds ? (1 - law.theta) * normal : std::min(0.0, (1 - law.theta) * normal + law.theta * rebound);
   k.gap_origin += law.step * origin;
-  k.slip_origin = law.step * (1 - law.theta) * (k.tangents.transpose() * relative);
+  for (int a = 0; a < 2; ++a)
+    k.slip_origin[a] = law.step * (1 - law.theta) * dot(column_of(k.tangents, a), relative);
 }
 
 } // namespace
@@ -75,8 +77,9 @@ std::vector<PointEvaluation> velocity_frames(Discretisation& discretisation, con
     if (zone.obstacle)
       moving.obstacle = way_of(zone, zone.points[i], k, start, velocity, law.step);
     moving.offset = zone.offset.change(zone.points[i].place, start.t, end);
-    const Vector3d relative = k.stencil.gather(velocity, *start.dofs) - moving.obstacle / law.step;
-    const double normal = k.normal.dot(relative) + moving.offset / law.step;
+    const auto relative =
+        difference_of(k.stencil.gather(velocity, *start.dofs), scaled(1 / law.step, moving.obstacle));
+    const double normal = dot(k.normal, relative) + moving.offset / law.step;
     const bool holds = zone.settings.tie || (!touched.empty() && touched[i] != 0);
     const bool stands = holds || k.gap <= standing[i] + tolerances.touching_gap * zone.edge();
     const bool arrives = k.gap + law.step / 2 * normal <= 0;

@@ -7,8 +7,7 @@
 #include "rubato/contact/mortar/frames.hpp"
 #include "rubato/contact/projection.hpp"
 #include "rubato/contact/sharp_edges.hpp"
-
-#include <Eigen/Geometry>
+#include "rubato/contact/small_vectors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +22,8 @@ using mesh::NodeIndex;
 FaceCoordinates undeformed(const mesh::Mesh& mesh, const Face& face) {
   FaceCoordinates coordinates(3, face.node_count);
   for (int i = 0; i < face.node_count; ++i)
-    coordinates.col(i) = mesh.points[static_cast<std::size_t>(face.nodes[static_cast<std::size_t>(i)])];
+    set_column(i, mesh.points[static_cast<std::size_t>(face.nodes[static_cast<std::size_t>(i)])],
+               coordinates);
   return coordinates;
 }
 
@@ -40,7 +40,7 @@ constexpr int ring_points = 3;
 double area_factor(const mesh::Mesh& mesh, const Face& face, const Eigen::Vector2d& xi,
                    const ZoneGeometry& geometry) {
   const auto at = face_geometry(face.type, undeformed(mesh, face), xi);
-  const double jacobian = at.tangents.col(0).cross(at.tangents.col(1)).norm();
+  const double jacobian = length_of(cross(column_of(at.tangents, 0), column_of(at.tangents, 1)));
   const double ring = geometry.measure == Measure::ring ? 2 * std::numbers::pi * at.position.x() : 1.0;
   return jacobian * geometry.thickness * ring;
 }
@@ -117,14 +117,14 @@ void give_axis_nodes_area(const mesh::Mesh& mesh, const Surface& slave,
 }
 
 bool is_excluded(std::span<const NodeIndex> excluded, NodeIndex node) {
-  return std::ranges::binary_search(excluded, node);
+  return std::binary_search(excluded.begin(), excluded.end(), node);
 }
 
 /// Nodes that turn the slave's normal are taken along with shape value 0.
 void add_turning_nodes(const Surface& slave, SlavePoint& point) {
   for (const auto& place : point.stands_on)
     for (const auto node : slave.faces[static_cast<std::size_t>(place.face)].node_span())
-      if (std::ranges::find(point.nodes, node) == point.nodes.end()) {
+      if (std::find(point.nodes.begin(), point.nodes.end(), node) == point.nodes.end()) {
         point.nodes.push_back(node);
         point.shape.push_back(0.0);
       }
@@ -205,9 +205,9 @@ std::vector<SlavePoint> make_mortar_points(const mortar::SlaveReference& referen
 }
 
 Eigen::Vector3d undeformed_place(const mesh::Mesh& mesh, const SlavePoint& point) {
-  Eigen::Vector3d x = Eigen::Vector3d::Zero();
+  Eigen::Vector3d x(0, 0, 0);
   for (std::size_t i = 0; i < point.nodes.size(); ++i)
-    x += point.shape[i] * mesh.points[static_cast<std::size_t>(point.nodes[i])];
+    add_scaled(point.shape[i], mesh.points[static_cast<std::size_t>(point.nodes[i])], x);
   return x;
 }
 

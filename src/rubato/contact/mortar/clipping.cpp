@@ -11,7 +11,7 @@ using Eigen::Vector2d;
 /// In squared lengths of the clipping edge.
 constexpr double on_edge = 1e-12;
 
-double cross(const Vector2d& a, const Vector2d& b) {
+double plane_cross(const Vector2d& a, const Vector2d& b) {
   return a[0] * b[1] - a[1] * b[0];
 }
 
@@ -21,7 +21,7 @@ void cut(const Polygon& subject, const Vector2d& a, const Vector2d& b, Polygon& 
   const Vector2d edge = b - a;
   const double tolerance = on_edge * edge.squaredNorm();
   const auto side = [&](const Vector2d& corner) {
-    const double left = cross(edge, corner - a);
+    const double left = plane_cross(edge, corner - a);
     return std::abs(left) <= tolerance ? 0. : left;
   };
   if (subject.size() == 0)
@@ -44,7 +44,7 @@ void cut(const Polygon& subject, const Vector2d& a, const Vector2d& b, Polygon& 
 double signed_area(const Polygon& polygon) {
   double twice = 0;
   for (std::size_t i = 2; i < polygon.size(); ++i)
-    twice += cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
+    twice += plane_cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
   return 0.5 * twice;
 }
 
@@ -73,7 +73,7 @@ std::size_t fan(const Polygon& polygon, std::array<Triangle, Polygon::capacity>&
   const auto triangle = [&](const std::array<std::size_t, 3>& indices) {
     const auto corner = [&](std::size_t i) { return i < count ? polygon[i] : middle; };
     const Vector2d a = corner(indices[0]), b = corner(indices[1]), c = corner(indices[2]);
-    return Triangle{{a, b, c}, 0.5 * cross(b - a, c - a), indices};
+    return Triangle{{a, b, c}, 0.5 * plane_cross(b - a, c - a), indices};
   };
   if (count == 3) {
     triangles[0] = triangle({0, 1, 2});

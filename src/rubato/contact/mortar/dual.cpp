@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/mortar/dual.hpp"
 
-#include <Eigen/Cholesky>
+#include "rubato/contact/small_vectors.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace rubato::contact::mortar {
@@ -33,35 +34,81 @@ FacetSharing share(int node_count, const std::array<bool, 4>& kept) {
   return sharing;
 }
 
-/// diag(De) Me⁻¹ G, or G where Me cannot be inverted: slivers and areas that a fan takes back.
-template <int Size> Matrix4d dual_of(const FacetSharing& sharing, const FacetMoments& covered) {
-  using Square = Eigen::Matrix<double, Size, Size>;
-  const auto given = sharing.given.topRows<Size>();
-  const Eigen::Vector<double, Size> first = given * covered.first;
-  const Square second = given * covered.second * given.transpose();
-  const Eigen::LLT<Square> factor(second);
-  Matrix4d coefficients = Matrix4d::Zero();
-  coefficients.topRows<Size>() = given;
-  if (factor.info() != Eigen::Success)
-    return coefficients;
-  const Eigen::Matrix<double, Size, 4> inverse = factor.solve(given);
-  const Eigen::Matrix<double, Size, 4> dual = first.asDiagonal() * inverse;
-  if (dual.allFinite())
-    coefficients.topRows<Size>() = dual;
-  return coefficients;
+/// The Cholesky factor of the first rows of a symmetric matrix, below its diagonal; false where there is
+/// none.
+bool factor(int size, Matrix4d& m) {
+  for (int k = 0; k < size; ++k) {
+    double pivot = m(k, k);
+    for (int j = 0; j < k; ++j)
+      pivot -= m(k, j) * m(k, j);
+    if (pivot <= 0)
+      return false;
+    m(k, k) = std::sqrt(pivot);
+    for (int i = k + 1; i < size; ++i) {
+      for (int j = 0; j < k; ++j)
+        m(i, k) -= m(i, j) * m(k, j);
+      m(i, k) /= m(k, k);
+    }
+  }
+  return true;
 }
 
-Matrix4d dual_rows(const FacetSharing& sharing, const FacetMoments& covered) {
-  switch (sharing.count) {
-  case 1:
-    return sharing.given; // ΣH = 1: one function is its own dual
-  case 2:
-    return dual_of<2>(sharing, covered);
-  case 3:
-    return dual_of<3>(sharing, covered);
-  default:
-    return dual_of<4>(sharing, covered);
+/// Solves L Lᵀ x = b for one column of b, which is replaced by x.
+void solve(int size, const Matrix4d& factor, Matrix4d& b, int column) {
+  for (int i = 0; i < size; ++i) {
+    for (int j = 0; j < i; ++j)
+      b(i, column) -= factor(i, j) * b(j, column);
+    b(i, column) /= factor(i, i);
   }
+  for (int i = size - 1; i >= 0; --i) {
+    for (int j = i + 1; j < size; ++j)
+      b(i, column) -= factor(j, i) * b(j, column);
+    b(i, column) /= factor(i, i);
+  }
+}
+
+/// G v and G M Gᵀ of the kept nodes; zeros past their count.
+Vector4d times(const FacetSharing& sharing, const Vector4d& v) {
+  Vector4d product(0, 0, 0, 0);
+  for (int i = 0; i < sharing.count; ++i)
+    for (int j = 0; j < 4; ++j)
+      product[i] += sharing.given(i, j) * v[j];
+  return product;
+}
+
+Matrix4d between_kept(const FacetSharing& sharing, const Matrix4d& m) {
+  Matrix4d product;
+  product.setZero();
+  for (int i = 0; i < sharing.count; ++i) {
+    Vector4d row(0, 0, 0, 0);
+    for (int k = 0; k < 4; ++k)
+      for (int j = 0; j < 4; ++j)
+        row[j] += sharing.given(i, k) * m(k, j);
+    for (int l = 0; l < sharing.count; ++l)
+      for (int j = 0; j < 4; ++j)
+        product(i, l) += row[j] * sharing.given(l, j);
+  }
+  return product;
+}
+
+/// diag(De) Me⁻¹ G, or G where Me cannot be inverted: slivers and areas that a fan takes back.
+Matrix4d dual_rows(const FacetSharing& sharing, const FacetMoments& covered) {
+  if (sharing.count == 1)
+    return sharing.given; // ΣH = 1: one function is its own dual
+  const auto first = times(sharing, covered.first);
+  auto second = between_kept(sharing, covered.second);
+  if (!factor(sharing.count, second))
+    return sharing.given;
+  Matrix4d dual = sharing.given;
+  bool finite = true;
+  for (int column = 0; column < 4; ++column) {
+    solve(sharing.count, second, dual, column);
+    for (int i = 0; i < sharing.count; ++i) {
+      dual(i, column) *= first[i];
+      finite = finite && std::isfinite(dual(i, column));
+    }
+  }
+  return finite ? dual : sharing.given;
 }
 
 } // namespace
@@ -71,11 +118,13 @@ Matrix4d dual_coefficients(int node_count, const FacetMoments& covered, double f
   const auto sharing = share(node_count, kept);
   if (sharing.count == 0)
     return Matrix4d::Zero();
-  const bool sliver = !(covered.first.sum() >= least_dual_cover * full_area);
+  const bool sliver = !(total_of(covered.first) >= least_dual_cover * full_area);
   const Matrix4d rows = sliver ? sharing.given : dual_rows(sharing, covered);
-  Matrix4d coefficients = Matrix4d::Zero();
+  Matrix4d coefficients;
+  coefficients.setZero();
   for (int row = 0; row < sharing.count; ++row)
-    coefficients.row(sharing.node[static_cast<std::size_t>(row)]) = rows.row(row);
+    for (int j = 0; j < 4; ++j)
+      coefficients(sharing.node[static_cast<std::size_t>(row)], j) = rows(row, j);
   return coefficients;
 }
 
@@ -88,12 +137,12 @@ constexpr double extrapolated = 0.1;
 
 LeastGaps::LeastGaps(int node_count, const FacetMoments& covered, const Matrix4d& dual,
                      const Vector4d& first_gap) {
+  const double whole = total_of(covered.first);
   for (int i = 0; i < node_count; ++i)
-    if (covered.first[i] > 0)
-      fit_.row(i) = dual.row(i) / covered.first[i];
-    else
-      fit_.row(i).setConstant(1 / covered.first.sum());
-  fitted_ = fit_ * first_gap;
+    for (int j = 0; j < 4; ++j) {
+      fit_(i, j) = covered.first[i] > 0 ? dual(i, j) / covered.first[i] : 1 / whole;
+      fitted_[i] += fit_(i, j) * first_gap[j];
+    }
 }
 
 void LeastGaps::see(const Vector4d& values, double gap) {
@@ -102,7 +151,7 @@ void LeastGaps::see(const Vector4d& values, double gap) {
     least_seen_ = seen_;
   }
   ++seen_;
-  if (const double fitted = fitted_.dot(values); fitted < least_fitted_) {
+  if (const double fitted = dot(fitted_, values); fitted < least_fitted_) {
     least_fitted_ = fitted;
     values_at_least_fitted_ = values;
   }
@@ -116,14 +165,19 @@ LeastGaps::Bound LeastGaps::bound(int node, double size) const {
   if (below > 0)
     bound.value -= std::min(below, extrapolated * size);
   if (below > 0 && below < extrapolated * size)
-    bound.row = fit_.row(node).transpose() - fit_.transpose() * values_at_least_fitted_;
+    for (int j = 0; j < 4; ++j) {
+      double at_least = 0;
+      for (int i = 0; i < 4; ++i)
+        at_least += fit_(i, j) * values_at_least_fitted_[i];
+      bound.row[j] = fit_(node, j) - at_least;
+    }
   return bound;
 }
 
 Vector4d kept_areas(int node_count, const FacetMoments& covered, const std::array<bool, 4>& kept) {
   const auto sharing = share(node_count, kept);
-  const Vector4d rows = sharing.given * covered.first;
-  Vector4d areas = Vector4d::Zero();
+  const auto rows = times(sharing, covered.first);
+  Vector4d areas(0, 0, 0, 0);
   for (int row = 0; row < sharing.count; ++row)
     areas[sharing.node[static_cast<std::size_t>(row)]] = rows[row];
   return areas;

@@ -21,9 +21,14 @@ struct FacetMoments {
   Eigen::Matrix4d second = Eigen::Matrix4d::Zero(); ///< ∫H_i H_j [area]
 
   void add(double weight, const Eigen::Vector4d& values) {
-    const Eigen::Vector4d weighted = weight * values;
-    first += weighted;
-    second.noalias() += weighted * values.transpose();
+    Eigen::Vector4d weighted;
+    for (int i = 0; i < 4; ++i) {
+      weighted[i] = weight * values[i];
+      first[i] += weighted[i];
+    }
+    for (int j = 0; j < 4; ++j)
+      for (int i = 0; i < 4; ++i)
+        second(i, j) += weighted[i] * values[j];
   }
 };
 

@@ -10,29 +10,26 @@ namespace rubato::contact::mortar {
 namespace {
 
 /// Column a + 3b of a row: the factor of ξ^a η^b in the shape function of that node.
-using Factors = Eigen::Matrix<double, 9, 9>;
+using Factors = std::array<std::array<double, 9>, 9>;
 
 /// The factors of a parabola through its values at −1, 0, 1.
-const Eigen::Matrix3d& parabola() {
-  static const Eigen::Matrix3d factors{{0, 1, 0}, {-0.5, 0, 0.5}, {0.5, -1, 0.5}};
-  return factors;
-}
+constexpr std::array<std::array<double, 3>, 3> parabola{{{0, 1, 0}, {-0.5, 0, 0.5}, {0.5, -1, 0.5}}};
 
 Factors factors_of(CellType type) {
-  Factors factors = Factors::Zero();
+  Factors factors{};
   std::array<std::array<std::array<double, 9>, 3>, 3> values{};
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
       values[i][j] = face_values(type, {static_cast<double>(i) - 1, static_cast<double>(j) - 1});
-  for (int node = 0; node < cell::topology(type).node_count; ++node) {
-    Eigen::Matrix3d grid;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        grid(i, j) =
-            values[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)][static_cast<std::size_t>(node)];
-    const Eigen::Matrix3d products = parabola() * grid * parabola().transpose();
-    factors.row(node) = Eigen::Map<const Eigen::RowVector<double, 9>>(products.data());
-  }
+  for (std::size_t node = 0; node < static_cast<std::size_t>(cell::topology(type).node_count); ++node)
+    for (std::size_t a = 0; a < 3; ++a)
+      for (std::size_t b = 0; b < 3; ++b)
+        for (std::size_t j = 0; j < 3; ++j) {
+          double along = 0;
+          for (std::size_t i = 0; i < 3; ++i)
+            along += parabola[a][i] * values[i][j][node];
+          factors[node][a + 3 * b] += along * parabola[b][j];
+        }
   return factors;
 }
 
@@ -66,20 +63,32 @@ FaceTerms terms_of(CellType type) {
 
 FacePolynomial::FacePolynomial(CellType type, const FaceCoordinates& nodes) : terms_(terms_of(type)) {
   if (type == CellType::quad4) {
-    const Eigen::Vector3d below = 0.25 * (nodes.col(0) + nodes.col(1)),
-                          above = 0.25 * (nodes.col(2) + nodes.col(3));
-    const Eigen::Vector3d along = 0.25 * (nodes.col(1) - nodes.col(0)),
-                          back = 0.25 * (nodes.col(2) - nodes.col(3));
-    factors_.col(0) = above + below;
-    factors_.col(1) = back + along;
-    factors_.col(3) = above - below;
-    factors_.col(4) = back - along;
+    for (int row = 0; row < 3; ++row) {
+      const double below = 0.25 * (nodes(row, 0) + nodes(row, 1)),
+                   above = 0.25 * (nodes(row, 2) + nodes(row, 3));
+      const double along = 0.25 * (nodes(row, 1) - nodes(row, 0)),
+                   back = 0.25 * (nodes(row, 2) - nodes(row, 3));
+      factors_(row, 0) = above + below;
+      factors_(row, 1) = back + along;
+      factors_(row, 3) = above - below;
+      factors_(row, 4) = back - along;
+    }
   } else if (type == CellType::tria3) {
-    factors_.col(0) = nodes.col(0);
-    factors_.col(1) = nodes.col(1) - nodes.col(0);
-    factors_.col(3) = nodes.col(2) - nodes.col(0);
+    for (int row = 0; row < 3; ++row) {
+      factors_(row, 0) = nodes(row, 0);
+      factors_(row, 1) = nodes(row, 1) - nodes(row, 0);
+      factors_(row, 3) = nodes(row, 2) - nodes(row, 0);
+    }
   } else {
-    factors_.noalias() = nodes * factors_for(type).topRows(nodes.cols());
+    const auto& of_type = factors_for(type);
+    for (int term = 0; term < 9; ++term)
+      for (int node = 0; node < nodes.cols(); ++node) {
+        const double factor = of_type[static_cast<std::size_t>(node)][static_cast<std::size_t>(term)];
+        if (factor == 0)
+          continue;
+        for (int row = 0; row < 3; ++row)
+          factors_(row, term) += nodes(row, node) * factor;
+      }
   }
 }
 

@@ -3,8 +3,7 @@
 
 #include "rubato/cell/reference_cell.hpp"
 #include "rubato/contact/projection.hpp"
-
-#include <Eigen/Geometry>
+#include "rubato/contact/small_vectors.hpp"
 
 #include <algorithm>
 #include <array>
@@ -30,14 +29,16 @@ double radians(double degrees) {
 /// The unit normal of a face at ξ; 0 where it has no area.
 Vector3d unit_normal(CellType type, const FaceCoordinates& coordinates, const Vector2d& xi) {
   const auto at = face_geometry(type, coordinates, xi);
-  const Vector3d area = at.tangents.col(0).cross(at.tangents.col(1));
-  const double size = parametric_dimension(type) == 2 ? at.tangents.squaredNorm() : at.tangents.col(0).norm();
-  const double length = area.norm();
-  return length > no_area * size ? Vector3d(area / length) : Vector3d::Zero();
+  const Vector3d first = column_of(at.tangents, 0), second = column_of(at.tangents, 1);
+  const Vector3d area = cross(first, second);
+  const double size =
+      parametric_dimension(type) == 2 ? dot(first, first) + dot(second, second) : length_of(first);
+  return length_of(area) > no_area * size ? unit_of(area) : Vector3d(0, 0, 0);
 }
 
 Vector2d node_place(CellType type, std::size_t node) {
-  return cell::reference_cell(type).nodes[node].head<2>();
+  const auto& place = cell::reference_cell(type).nodes[node];
+  return {place[0], place[1]};
 }
 
 /// The local node that τ₁ of a local node points at (see tangent_neighbours).
@@ -53,9 +54,11 @@ int neighbour_in(CellType type, int node) {
 }
 
 Vector3d any_across(const Vector3d& n) {
-  Eigen::Index smallest = 0;
-  n.cwiseAbs().minCoeff(&smallest);
-  return Vector3d::Unit(smallest).cross(n).normalized();
+  int smallest = 0;
+  for (const int axis : {1, 2})
+    if (std::abs(n[axis]) < std::abs(n[smallest]))
+      smallest = axis;
+  return unit_of(cross(Vector3d(smallest == 0, smallest == 1, smallest == 2), n));
 }
 
 /// Where an edge of a face stands: the face, and ξ of the edge's middle.
@@ -73,7 +76,8 @@ template <class Visit> void for_each_edge(const Face& face, int index, const Vis
     return;
   }
   for (const auto& [from, to] : cell.edges) {
-    const Vector2d middle = 0.5 * (node_place(face.type, from) + node_place(face.type, to));
+    const auto start = node_place(face.type, from), end = node_place(face.type, to);
+    const Vector2d middle(0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1]));
     const auto [low, high] = std::minmax(face.nodes[from], face.nodes[to]);
     visit(Edge{low, high}, EdgePlace{index, middle});
   }
@@ -87,23 +91,21 @@ void remove_held(HeldComponents held, Vector3d& normal) {
   for (int c = 0; c < 3; ++c)
     if ((held >> c & 1) != 0)
       free[c] = 0;
-  const double length = free.norm();
-  if (length > std::cos(radians(largest_symmetry_turn)))
-    normal = free / length;
+  if (length_of(free) > std::cos(radians(largest_symmetry_turn)))
+    normal = unit_of(free);
 }
 
 void nodal_normals(const Surface& surface, std::span<const Vector3d> x, std::span<const HeldComponents> held,
                    std::vector<Vector3d>& normals) {
-  normals.assign(surface.nodes.size(), Vector3d::Zero());
+  normals.assign(surface.nodes.size(), Vector3d(0, 0, 0));
   for (const auto& face : surface.faces) {
     const auto coordinates = values_of(face, x);
     for (std::size_t i = 0; i < face.node_span().size(); ++i)
-      normals[static_cast<std::size_t>(face.positions[i])] +=
-          unit_normal(face.type, coordinates, node_place(face.type, i));
+      add_scaled(1, unit_normal(face.type, coordinates, node_place(face.type, i)),
+                 normals[static_cast<std::size_t>(face.positions[i])]);
   }
   for (std::size_t j = 0; j < normals.size(); ++j) {
-    const double length = normals[j].norm();
-    normals[j] = length > no_direction ? Vector3d(normals[j] / length) : Vector3d::Zero();
+    normals[j] = length_of(normals[j]) > no_direction ? unit_of(normals[j]) : Vector3d(0, 0, 0);
     if (!held.empty())
       remove_held(held[j], normals[j]);
   }
@@ -113,24 +115,27 @@ std::vector<int> tangent_neighbours(const Surface& surface) {
   std::vector<int> neighbours(surface.nodes.size());
   for (std::size_t j = 0; j < neighbours.size(); ++j) {
     const auto& face = surface.faces[static_cast<std::size_t>(surface.faces_of_node[j].front())];
-    const auto at = std::ranges::find(face.positions, static_cast<int>(j)) - face.positions.begin();
-    neighbours[j] = face.positions[static_cast<std::size_t>(neighbour_in(face.type, static_cast<int>(at)))];
+    const auto* const at = std::find(face.positions.begin(), face.positions.end(), static_cast<int>(j));
+    neighbours[j] = face.positions[static_cast<std::size_t>(
+        neighbour_in(face.type, static_cast<int>(at - face.positions.begin())))];
   }
   return neighbours;
 }
 
 Frame frame_of(const Vector3d& outward, const Vector3d& along, int dimension) {
-  Frame frame;
-  frame.normal = -outward;
-  const Vector3d& n = frame.normal;
-  if (dimension == 2) {
-    frame.tangents.col(0) = Vector3d(-n[1], n[0], 0);
-  } else {
-    const Vector3d across = along - along.dot(n) * n;
-    const double length = across.norm();
-    frame.tangents.col(0) = length > no_direction * along.norm() ? Vector3d(across / length) : any_across(n);
+  const Vector3d n = scaled(-1, outward);
+  Vector3d first(-n[1], n[0], 0);
+  if (dimension == 3) {
+    const Vector3d across = part_across(n, along);
+    first = length_of(across) > no_direction * length_of(along) ? unit_of(across) : any_across(n);
   }
-  frame.tangents.col(1) = n.cross(frame.tangents.col(0));
+  const Vector3d second = cross(n, first);
+  Frame frame;
+  frame.normal = n;
+  for (int i = 0; i < 3; ++i) {
+    frame.tangents(i, 0) = first[i];
+    frame.tangents(i, 1) = second[i];
+  }
   return frame;
 }
 
@@ -158,8 +163,8 @@ void for_each_common_edge(const Surface& surface, std::span<const Vector3d> x, c
   for (const auto& [edge, places] : edges)
     for (std::size_t i = 1; i < places.size(); ++i) {
       const Vector3d one = normal_at(places[0]), other = normal_at(places[i]);
-      const bool known = !one.isZero(0) && !other.isZero(0);
-      visit(CommonEdge{places[0].face, places[i].face, known ? one.dot(other) : 1, edge[0]});
+      const bool known = !is_zero(one) && !is_zero(other);
+      visit(CommonEdge{places[0].face, places[i].face, known ? dot(one, other) : 1, edge[0]});
     }
 }
 

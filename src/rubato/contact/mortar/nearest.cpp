@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/mortar/nearest.hpp"
 
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/core/disjoint_sets.hpp"
 
 #include <algorithm>
@@ -36,9 +37,9 @@ double size_of(const SlaveFace& placed, const SubFacet& facet) {
   double size = 0;
   for (int i = 0; i < facet.node_count; ++i)
     for (int j = 0; j < i; ++j)
-      size = std::max(size, (placed.x.col(facet.nodes[static_cast<std::size_t>(i)]) -
-                             placed.x.col(facet.nodes[static_cast<std::size_t>(j)]))
-                                .norm());
+      size = std::max(
+          size, length_of(difference_of(column_of(placed.x, facet.nodes[static_cast<std::size_t>(i)]),
+                                        column_of(placed.x, facet.nodes[static_cast<std::size_t>(j)]))));
   return size;
 }
 

@@ -3,10 +3,10 @@
 
 #include "rubato/cell/reference_cell.hpp"
 #include "rubato/contact/mortar/parts.hpp"
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/core/index.hpp"
 
-#include <Eigen/Geometry>
-
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -20,8 +20,12 @@ using Eigen::Vector3d;
 constexpr int linear_degree = 6, quadratic_degree = 8;
 
 /// Columns of SeenProducts.
-constexpr Eigen::Index gap_column = 0, normal_column = 1, place_column = 4, tangent_column = 7;
-using Seen = Eigen::Vector<double, 10>;
+constexpr int gap_column = 0, normal_column = 1, place_column = 4, tangent_column = 7, column_count = 10;
+using Seen = std::array<double, column_count>;
+
+Vector3d part_of(const Seen& seen, int column) {
+  return {seen[at(column)], seen[at(column + 1)], seen[at(column + 2)]};
+}
 
 /// The rules of all sub-facets of a type of face.
 std::span<const std::vector<cell::QuadraturePoint>> facet_rules(CellType type) {
@@ -40,14 +44,19 @@ std::span<const std::vector<cell::QuadraturePoint>> facet_rules(CellType type) {
 Seen seen_from(const Obstacle& obstacle, const Pose& pose, const Vector3d& x, const Vector3d& undeformed) {
   const auto place = place_on(obstacle, pose, x, undeformed);
   Seen seen;
-  seen << place.gap, place.normal, x - place.gap * place.normal, place.tangent;
+  seen[gap_column] = place.gap;
+  for (int i = 0; i < 3; ++i) {
+    seen[at(normal_column + i)] = place.normal[i];
+    seen[at(place_column + i)] = x[i] - place.gap * place.normal[i];
+    seen[at(tangent_column + i)] = place.tangent[i];
+  }
   return seen;
 }
 
 /// Whether the slave looks at the obstacle at ξ: its back does not touch.
 bool faces(const SlaveFace& placed, const Eigen::Vector2d& xi, const Vector3d& normal) {
   const auto at = face_geometry(placed.type, placed.x, xi);
-  return at.tangents.col(0).cross(at.tangents.col(1)).dot(normal) < 0;
+  return dot(cross(column_of(at.tangents, 0), column_of(at.tangents, 1)), normal) < 0;
 }
 
 /// Gaps at the corners of a sub-facet. Faces may hang over the obstacle's end: where all points of the rule
@@ -56,9 +65,10 @@ void see_corners(const SlaveFace& placed, const SubFacet& facet, const Obstacle&
                  std::vector<SeenGap>& seen) {
   for (std::size_t i = 0; i < at(facet.node_count); ++i) {
     const auto node = facet.nodes[i];
-    const Vector3d x = placed.x.col(node), undeformed = placed.undeformed.col(node);
-    const Eigen::Vector2d xi = cell::reference_cell(placed.type).nodes[node].head<2>();
-    seen.push_back({Eigen::Vector4d::Unit(static_cast<Eigen::Index>(i)),
+    const Vector3d x = column_of(placed.x, node), undeformed = column_of(placed.undeformed, node);
+    const auto& place = cell::reference_cell(placed.type).nodes[node];
+    const Eigen::Vector2d xi(place[0], place[1]);
+    seen.push_back({Eigen::Vector4d(i == 0, i == 1, i == 2, i == 3),
                     seen_from(obstacle, pose, x, undeformed)[gap_column], xi});
   }
 }
@@ -74,24 +84,28 @@ void integrate_facet(const SlaveFace& placed, int face, int facet_index, const O
   SeenProducts products = SeenProducts::Zero();
   work.seen_gaps.clear();
   for (const auto& [place, weight] : facet_rules(placed.type)[at(facet_index)]) {
-    const Eigen::Vector2d xi = place.head<2>();
+    const Eigen::Vector2d xi(place[0], place[1]);
     const auto seen = seen_from(obstacle, pose, face_position(placed.type, placed.x, xi),
                                 face_position(placed.type, placed.undeformed, xi));
-    if (!(std::abs(seen[gap_column]) <= reach) || !faces(placed, xi, seen.segment<3>(normal_column)))
+    if (!(std::abs(seen[gap_column]) <= reach) || !faces(placed, xi, part_of(seen, normal_column)))
       continue;
     const double w = weight * undeformed_measure(placed.type, placed.undeformed, xi, measure);
-    const Eigen::Vector4d values = facet_values(facet, xi);
+    const auto values = facet_values(facet, xi);
     const auto shape = face_values(placed.type, xi);
     part.covered.add(w, values);
-    for (Eigen::Index k = 0; k < placed.x.cols(); ++k)
-      part.slave.col(k) += w * shape[static_cast<std::size_t>(k)] * values;
-    products += w * values * seen.transpose();
+    for (int k = 0; k < placed.x.cols(); ++k)
+      for (int i = 0; i < 4; ++i)
+        part.slave(i, k) += w * shape[at(k)] * values[i];
+    for (int column = 0; column < column_count; ++column)
+      for (int i = 0; i < 4; ++i)
+        products(i, column) += w * values[i] * seen[at(column)];
     work.seen_gaps.push_back({values, seen[gap_column], xi});
   }
-  if (!(part.covered.first.sum() > 0))
+  if (!(total_of(part.covered.first) > 0))
     return;
   see_corners(placed, facet, obstacle, pose, work.seen_gaps);
-  part.gaps = products.col(gap_column);
+  for (int i = 0; i < 4; ++i)
+    part.gaps[i] = products(i, gap_column);
   make_dual(placed, reference, work, part);
   part.first_overlap = work.seen.size();
   part.last_overlap = work.seen.size() + 1;
@@ -101,24 +115,29 @@ void integrate_facet(const SlaveFace& placed, int face, int facet_index, const O
 
 /// The frame, the gap and the place that a node's function sees on average.
 void set_seen(const Seen& total, int dimension, Node& node) {
-  const Seen mean = total / node.weight;
-  const Vector3d normal = mean.segment<3>(normal_column);
-  const double length = normal.norm();
+  Seen mean = total;
+  for (auto& number : mean)
+    number /= node.weight;
+  const auto normal = part_of(mean, normal_column);
+  const double length = length_of(normal);
   if (length > 0) { // all around a sphere normals cancel: the slave's own is left
-    const auto frame = frame_of(-normal / length, mean.segment<3>(tangent_column), dimension);
+    const auto frame = frame_of(scaled(-1, unit_of(normal)), part_of(mean, tangent_column), dimension);
     node.normal = frame.normal;
     node.tangents = frame.tangents;
   }
   node.gap = mean[gap_column] + node.lift;
-  node.anchor = mean.segment<3>(place_column);
+  node.anchor = part_of(mean, place_column);
 }
 
 void average_seen(int dimension, const Workspace::Impl& work, Operators& into) {
   for (std::size_t j = 0; j < into.nodes.size(); ++j) {
-    Seen total = Seen::Zero();
+    Seen total{};
     for (std::size_t s = work.first_share[j]; s < work.first_share[j + 1]; ++s) {
       const auto& share = work.shares[at(work.shares_by_node[s])];
-      total += work.seen[work.parts[at(share.part)].first_overlap].transpose() * share.row;
+      const auto& seen = work.seen[work.parts[at(share.part)].first_overlap];
+      for (int column = 0; column < column_count; ++column)
+        for (int i = 0; i < 4; ++i)
+          total[at(column)] += seen(i, column) * share.row[i];
     }
     if (into.nodes[j].kept())
       set_seen(total, dimension, into.nodes[j]);

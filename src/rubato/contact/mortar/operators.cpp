@@ -3,6 +3,7 @@
 
 #include "rubato/contact/mortar/parts.hpp"
 #include "rubato/contact/mortar/self_contact_normals.hpp"
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/core/index.hpp"
 
 #include <algorithm>
@@ -28,8 +29,10 @@ void set_masters(const Surface& master, std::span<const Vector3d> x, Workspace::
 void find_candidates(int slave_face, const SlaveFace& placed, const Options& options, const Reach& reach,
                      const FaceSearch& search, Covering& work) {
   auto box = box_of(placed.type, placed.x);
-  box.min() -= Vector3d::Constant(reach.most());
-  box.max() += Vector3d::Constant(reach.most());
+  for (int i = 0; i < 3; ++i) {
+    box.min()[i] -= reach.most();
+    box.max()[i] += reach.most();
+  }
   search.find(box, work.candidates);
   if (options.may_pair)
     std::erase_if(work.candidates, [&](int face) { return !options.may_pair(slave_face, face); });
@@ -38,10 +41,11 @@ void find_candidates(int slave_face, const SlaveFace& placed, const Options& opt
 /// Adds ∫H N of one node's shape function over the points.
 void add_weighted(std::span<const Point> points, std::span<const Eigen::Vector4d> weighted,
                   std::array<double, 9> Point::*values, int node, Products& products) {
-  Eigen::Vector4d sum = products.col(node);
+  Eigen::Vector4d sum(products(0, node), products(1, node), products(2, node), products(3, node));
   for (std::size_t i = 0; i < points.size(); ++i)
     sum += (points[i].*values)[at(node)] * weighted[i];
-  products.col(node) = sum;
+  for (int row = 0; row < 4; ++row)
+    products(row, node) = sum[row];
 }
 
 /// One slave sub-facet before all candidates.
@@ -100,7 +104,7 @@ private:
   void integrate(const SlaveFace& placed) {
     part_.first_overlap = work_.overlaps.size();
     weigh_functions();
-    if (!(part_.covered.first.sum() > 0))
+    if (!(total_of(part_.covered.first) > 0))
       return;
     for (const auto& range : work_.ranges)
       add_overlap(range);
@@ -113,10 +117,13 @@ private:
     work_.weighted.clear();
     work_.seen_gaps.clear();
     for (const auto& point : work_.overlap.points) {
-      const Eigen::Vector4d values = facet_values(facet(), point.xi);
+      auto values = facet_values(facet(), point.xi);
       part_.covered.add(point.weight, values);
-      work_.weighted.emplace_back(point.weight * values);
-      part_.gaps += point.distance * work_.weighted.back();
+      for (int i = 0; i < 4; ++i) {
+        values[i] *= point.weight;
+        part_.gaps[i] += point.distance * values[i];
+      }
+      work_.weighted.push_back(values);
     }
     for (const auto& range : work_.ranges)
       if (counts(range))
@@ -162,14 +169,14 @@ private:
 void measure_gaps(const Surface& slave, const Surface& master, std::span<const Vector3d> slave_x,
                   std::span<const Vector3d> master_x, Operators& into) {
   for (auto& node : into.nodes) {
-    Vector3d apart = Vector3d::Zero();
+    Vector3d apart(0, 0, 0);
     for (std::size_t i = 0; i < node.stencil.nodes.size(); ++i) {
       const bool on_slave = i < at(node.slave_nodes);
       const int position = (on_slave ? slave : master).position_of(node.stencil.nodes[i]);
-      apart +=
-          node.stencil.weights[static_cast<Eigen::Index>(i)] * (on_slave ? slave_x : master_x)[at(position)];
+      add_scaled(node.stencil.weights[static_cast<Eigen::Index>(i)],
+                 (on_slave ? slave_x : master_x)[at(position)], apart);
     }
-    node.gap = node.normal.dot(apart) + node.lift;
+    node.gap = dot(node.normal, apart) + node.lift;
   }
 }
 

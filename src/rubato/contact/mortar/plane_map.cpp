@@ -2,6 +2,7 @@
 #include "rubato/contact/mortar/plane_map.hpp"
 
 #include "rubato/cell/reference_cell.hpp"
+#include "rubato/contact/small_vectors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -74,15 +75,20 @@ template <FaceTerms terms> void set_heights(const FacePolynomial& face, PlanePla
 bool belongs_to(bool triangle, const Vector2d& xi) {
   if (triangle)
     return std::min({xi[0], xi[1], 1 - xi[0] - xi[1]}) >= -outside;
-  return xi.lpNorm<Eigen::Infinity>() <= 1 + outside;
+  return std::max(std::abs(xi[0]), std::abs(xi[1])) <= 1 + outside;
 }
 
 } // namespace
 
 PlaneMap::PlaneMap(CellType type, const FaceCoordinates& local)
     : type_(type), cell_(&cell::reference_cell(type)), local_(local), polynomial_(type, local) {
-  const Vector3d first = local.col(0);
-  size_ = std::sqrt((local.colwise() - first).colwise().squaredNorm().maxCoeff()) + first.head<2>().norm();
+  const Vector3d first = column_of(local, 0);
+  double farthest = 0;
+  for (Eigen::Index node = 1; node < local.cols(); ++node) {
+    const Vector3d apart = difference_of(column_of(local, node), first);
+    farthest = std::max(farthest, dot(apart, apart));
+  }
+  size_ = std::sqrt(farthest) + std::sqrt(first[0] * first[0] + first[1] * first[1]);
 }
 
 PlanePlace PlaneMap::place_at(const Vector2d& xi) const {

@@ -5,6 +5,7 @@
 #include "rubato/contact/mortar/obstacle_mortar.hpp"
 #include "rubato/contact/mortar/parts.hpp"
 #include "rubato/contact/mortar/slip.hpp"
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/contact/springs.hpp"
 
 #include <algorithm>
@@ -69,7 +70,8 @@ double lift_of(const Node& node) {
 template <class PositionOf>
 void collect(const Surface& surface, const PositionOf& position, std::vector<Vector3d>& into) {
   into.resize(surface.nodes.size());
-  std::ranges::transform(surface.nodes, into.begin(), position);
+  for (std::size_t i = 0; i < into.size(); ++i)
+    into[i] = position(surface.nodes[i]);
 }
 
 std::optional<SelfPairs> self_of(const Zone& zone) {
@@ -105,13 +107,13 @@ void Points::hold_those_that_return() {
       if (now_.nodes[i].kept() != (was_kept_[i] != 0) && ++changes_[i] == returned)
         ask_another_share_of(i);
   was_kept_.resize(count);
-  std::ranges::transform(now_.nodes, was_kept_.begin(),
-                         [](const Node& node) { return static_cast<char>(node.kept()); });
+  for (std::size_t i = 0; i < count; ++i)
+    was_kept_[i] = now_.nodes[i].kept() ? 1 : 0;
 }
 
 void Points::ask_another_share_of(std::size_t node) {
   changes_[node] = 1; // as if it had been kept and dropped now for the first time
-  const auto* next = std::ranges::find(asked_shares, least_shares_[node]) + 1;
+  const auto* next = std::find(asked_shares.begin(), asked_shares.end(), least_shares_[node]) + 1;
   if (next != asked_shares.end())
     least_shares_[node] = *next;
 }
@@ -133,7 +135,8 @@ void Points::hold_lift(std::size_t i) {
   const auto& reference = *zone_->mortar;
   auto& node = now_.nodes[i];
   const auto neighbour = static_cast<std::size_t>(reference.tangent_neighbour[i]);
-  const double free = free_change * (reference.undeformed[neighbour] - reference.undeformed[i]).norm();
+  const double free =
+      free_change * length_of(difference_of(reference.undeformed[neighbour], reference.undeformed[i]));
   node.gap_weights.resize(0);
   if (held_lifts_[i] < 0 || std::abs(node.lift - held_lifts_[i]) > free) {
     held_lifts_[i] = node.lift;
@@ -154,7 +157,8 @@ void Points::begin(std::span<const double> lifts) {
 void Points::take_lifts() {
   integrate_at(start_slave_, start_master_, start_t_, now_);
   held_lifts_.resize(now_.nodes.size());
-  std::ranges::transform(now_.nodes, held_lifts_.begin(), lift_of);
+  for (std::size_t i = 0; i < held_lifts_.size(); ++i)
+    held_lifts_[i] = lift_of(now_.nodes[i]);
 }
 
 void Points::integrate_at(const Positions& slave, const Positions& master, double t, Operators& into) {
@@ -206,7 +210,8 @@ void Points::take_tangents_before_obstacle() {
   Operators before;
   integrate_at(start_slave_, {}, start_t_, before);
   start_tangents_.resize(start_slave_.size());
-  std::ranges::transform(before.nodes, start_tangents_.begin(), &Node::tangents);
+  for (std::size_t i = 0; i < start_tangents_.size(); ++i)
+    start_tangents_[i] = before.nodes[i].tangents;
 }
 
 void Points::take_tangents() {
@@ -223,7 +228,7 @@ void Points::take_tangents() {
 
 Vector3d Points::anchor_motion(const Node& node, const Configuration& configuration) const {
   if (!zone_->obstacle)
-    return Vector3d::Zero();
+    return {0, 0, 0};
   const Vector3d start = node.stencil.sum([&](auto at) { return configuration.start_position(at); });
   const Vector3d end = node.stencil.sum([&](auto at) { return configuration.position(at); });
   return zone_->obstacle->way(start, end, configuration.start_t, configuration.t);
@@ -251,13 +256,17 @@ void Points::measure(std::size_t position, const VectorXd& multipliers, const Co
   k.tangents = node.tangents;
   k.closest_point = node.anchor;
   k.obstacle_displacement = anchor_motion(node, configuration);
-  const Vector3d start =
-      gap_vector(node, [&](auto at) { return configuration.start_position(at); }) + k.obstacle_displacement;
+  const Vector3d start = sum_of(gap_vector(node, [&](auto at) { return configuration.start_position(at); }),
+                                k.obstacle_displacement);
   k.slip_origin.setZero(); // an obstacle that rotates takes frames along
   if (!zone_->obstacle || !zone_->obstacle->rotation)
-    k.slip_origin = (start_tangents_[position] - node.tangents).transpose() * start;
+    for (int a = 0; a < 2; ++a)
+      k.slip_origin[a] =
+          dot(difference_of(column_of(start_tangents_[position], a), column_of(node.tangents, a)), start);
   const Vector3d end = gap_vector(node, [&](auto at) { return configuration.position(at); });
-  k.slip = node.tangents.transpose() * (end - start) - k.slip_origin;
+  const Vector3d moved = difference_of(end, start);
+  for (int a = 0; a < 2; ++a)
+    k.slip[a] = dot(column_of(node.tangents, a), moved) - k.slip_origin[a];
   const double offset = zone_->offset.at(point.place, configuration.t);
   const double gap = node.gap + offset;
   k.gap_weights = node.gap_weights;
@@ -265,9 +274,10 @@ void Points::measure(std::size_t position, const VectorXd& multipliers, const Co
   const bool scales = k.gap_weights.size() == 0 && node.lift_slope > 0 && closes_gaps(*zone_) &&
                       variables_of(*zone_, point, multipliers, {}).pressure > 0;
   k.gap = scales ? gap / (1 + node.lift_slope) : gap; // moves as the stencil says
-  k.gap_origin = (zone_->obstacle ? node.normal.dot(end) - node.gap : -node.lift) - offset + gap - k.gap;
+  k.gap_origin = (zone_->obstacle ? dot(node.normal, end) - node.gap : -node.lift) - offset + gap - k.gap;
   if (k.gap_weights.size() > 0)
-    k.gap_origin = node.normal.dot(k.gap_vector([&](auto at) { return configuration.position(at); })) - k.gap;
+    k.gap_origin =
+        dot(node.normal, k.gap_vector([&](auto at) { return configuration.position(at); })) - k.gap;
   if (zone_->space_dimension == 2)
     k.slip[1] = k.slip_origin[1] = 0;
   into.variables = variables_of(*zone_, point, multipliers, into.kinematics);

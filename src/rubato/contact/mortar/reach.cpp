@@ -4,6 +4,7 @@
 #include "rubato/contact/mortar/frames.hpp"
 #include "rubato/contact/motion.hpp"
 #include "rubato/contact/point_tree.hpp"
+#include "rubato/contact/small_vectors.hpp"
 
 #include <algorithm>
 
@@ -26,7 +27,7 @@ std::vector<double> depths_of(const Surface& master, std::span<const Vector3d> s
   std::vector<double> depths;
   for (const auto& x : slave_x) {
     const auto nearest = tree.nearest(x).index;
-    depths.push_back(std::max(0., (master_x[nearest] - x).dot(normals[nearest])));
+    depths.push_back(std::max(0., dot(difference_of(master_x[nearest], x), normals[nearest])));
   }
   return depths;
 }

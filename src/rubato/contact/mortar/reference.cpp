@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/mortar/parts.hpp"
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/core/error.hpp"
 
 #include <fmt/format.h>
@@ -21,17 +22,23 @@ constexpr HeldComponents radial = 1;
 double diameter(const FaceCoordinates& x) {
   double squared = 0;
   for (Eigen::Index i = 0; i < x.cols(); ++i)
-    squared = std::max(squared, (x.colwise() - x.col(i)).colwise().squaredNorm().maxCoeff());
+    for (Eigen::Index j = 0; j < i; ++j) {
+      const Vector3d apart = difference_of(column_of(x, i), column_of(x, j));
+      squared = std::max(squared, dot(apart, apart));
+    }
   return std::sqrt(squared);
 }
 
 /// ∫H_i of an undeformed sub-facet.
 Eigen::Vector4d full_areas(const Face& face, const SubFacet& facet, const FaceCoordinates& undeformed,
                            const Measure& measure) {
-  Eigen::Vector4d areas = Eigen::Vector4d::Zero();
+  Eigen::Vector4d areas(0, 0, 0, 0);
   for (const auto& [xi, weight] : facet_rule(facet, full_weight_degree)) {
-    const Eigen::Vector2d at = xi.head<2>();
-    areas += weight * undeformed_measure(face.type, undeformed, at, measure) * facet_values(facet, at);
+    const Eigen::Vector2d at(xi[0], xi[1]);
+    const double area = weight * undeformed_measure(face.type, undeformed, at, measure);
+    const auto values = facet_values(facet, at);
+    for (int i = 0; i < 4; ++i)
+      areas[i] += area * values[i];
   }
   return areas;
 }
@@ -53,7 +60,7 @@ SlaveReference make_slave_reference(const Surface& slave, std::vector<Vector3d> 
     reference.first_facet.push_back(reference.facet_area.size());
     for (const auto& facet : subfacets(face.type)) {
       const auto areas = full_areas(face, facet, coordinates, measure);
-      reference.facet_area.push_back(areas.sum());
+      reference.facet_area.push_back(total_of(areas));
       for (int i = 0; i < facet.node_count; ++i) {
         const auto node = facet.nodes[static_cast<std::size_t>(i)];
         reference.full_weight[static_cast<std::size_t>(face.positions[node])] += areas[i];
@@ -69,7 +76,7 @@ SlaveReference make_slave_reference(const Surface& slave, std::vector<Vector3d> 
 void require_finite(const Surface& surface, std::span<const Vector3d> x, const char* which) {
   for (std::size_t f = 0; f < surface.faces.size(); ++f)
     for (std::size_t i = 0; i < surface.faces[f].node_span().size(); ++i)
-      if (!x[static_cast<std::size_t>(surface.faces[f].positions[i])].allFinite())
+      if (!is_finite(x[static_cast<std::size_t>(surface.faces[f].positions[i])]))
         throw InputError(fmt::format("The position of node {} of face {} of the {} surface is not finite; "
                                      "contact needs finite coordinates.",
                                      i, f, which));
@@ -91,7 +98,7 @@ void set_normals(const Surface& slave, const SlaveReference& reference, std::spa
 Frame node_frame(const SlaveReference& reference, std::span<const Vector3d> x,
                  std::span<const Vector3d> normals, std::size_t node) {
   const auto neighbour = static_cast<std::size_t>(reference.tangent_neighbour[node]);
-  return frame_of(normals[node], x[neighbour] - x[node], reference.dimension);
+  return frame_of(normals[node], difference_of(x[neighbour], x[node]), reference.dimension);
 }
 
 double reach_of(const Options& options, const SlaveReference& reference) {

@@ -2,6 +2,7 @@
 #include "rubato/contact/mortar/search.hpp"
 
 #include "rubato/cell/topology.hpp"
+#include "rubato/contact/small_vectors.hpp"
 
 #include <algorithm>
 #include <unsupported/Eigen/BVH>
@@ -37,13 +38,20 @@ FaceSearch::FaceSearch(FaceSearch&&) noexcept = default;
 FaceSearch& FaceSearch::operator=(FaceSearch&&) noexcept = default;
 
 Box box_of(CellType type, const FaceCoordinates& x) {
-  Box box(x.rowwise().minCoeff().eval(), x.rowwise().maxCoeff().eval());
+  Eigen::Vector3d low = column_of(x, 0), high = low;
+  for (Eigen::Index node = 1; node < x.cols(); ++node)
+    for (int i = 0; i < 3; ++i) {
+      low[i] = std::min(low[i], x(i, node));
+      high[i] = std::max(high[i], x(i, node));
+    }
   if (cell::topology(type).order == 2) {
-    const Eigen::Vector3d margin = Eigen::Vector3d::Constant(bulge * box.diagonal().norm());
-    box.min() -= margin;
-    box.max() += margin;
+    const double margin = bulge * length_of(difference_of(high, low));
+    for (int i = 0; i < 3; ++i) {
+      low[i] -= margin;
+      high[i] += margin;
+    }
   }
-  return box;
+  return {low, high};
 }
 
 void FaceSearch::build(std::span<const Box> boxes) {
@@ -62,7 +70,7 @@ void FaceSearch::find(const Box& box, std::vector<int>& found) const {
   Eigen::BVIntersect(tree_->boxes, finder);
   std::erase_if(found,
                 [&](int index) { return !tree_->own[static_cast<std::size_t>(index)].intersects(box); });
-  std::ranges::sort(found);
+  std::sort(found.begin(), found.end());
 }
 
 } // namespace rubato::contact::mortar

@@ -112,6 +112,9 @@ private:
                        const std::array<Eigen::Vector2d, 3>& slave_corners,
                        const std::array<Eigen::Vector2d, 3>& master_corners,
                        std::vector<Point>& points) const;
+  /// In the axes of the plane, from its centre.
+  Eigen::Vector3d in_plane(const Eigen::Vector3d& x) const;
+  FaceCoordinates in_plane(const FaceCoordinates& x) const;
   bool is_folded() const;
   PlanePlace flat_place(const Eigen::Vector2d& p) const;
   void find_on_slave(PlanePlaces& places) const;
@@ -123,13 +126,15 @@ private:
   Measure measure_;
   Reach reach_;
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero(); ///< of the auxiliary plane
-  Eigen::Matrix3d axes_ = Eigen::Matrix3d::Zero();   ///< rows: e₁, e₂, n of the plane; 0 without area
-  FacePolynomial undeformed_;                        ///< X(ξ)
-  Eigen::AlignedBox2d box_;                          ///< of the polygon
-  PlaneMap map_;                                     ///< of the slave face
-  Polygon polygon_;                                  ///< the sub-facet in the plane
-  double area_ = 0;                                  ///< of the polygon
-  double flat_determinant_ = 0;                      ///< of ∂p/∂ξ if the sub-facet were flat and affine
+  /// e₁, e₂, n of the plane; 0 without area
+  std::array<Eigen::Vector3d, 3> axes_{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
+                                       Eigen::Vector3d::Zero()};
+  FacePolynomial undeformed_;   ///< X(ξ)
+  Eigen::AlignedBox2d box_;     ///< of the polygon
+  PlaneMap map_;                ///< of the slave face
+  Polygon polygon_;             ///< the sub-facet in the plane
+  double area_ = 0;             ///< of the polygon
+  double flat_determinant_ = 0; ///< of ∂p/∂ξ if the sub-facet were flat and affine
   bool folded_ = false;
 };
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/cell/reference_cell.hpp"
 #include "rubato/contact/mortar/segments.hpp"
-
-#include <Eigen/Geometry>
+#include "rubato/contact/small_vectors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,23 +22,24 @@ constexpr double least_piece = 1e-10;
 /// How far outside, on the master's reference line, a place still belongs to the face.
 constexpr double line_outside = 0.5;
 
-double cross(const Vector3d& a, const Vector3d& b) {
+double plane_cross(const Vector3d& a, const Vector3d& b) {
   return a[0] * b[1] - a[1] * b[0];
 }
 
 /// Values of nodes along a line, interpolated.
 struct Along {
-  Vector3d value = Vector3d::Zero();
-  Vector3d slope = Vector3d::Zero();
+  Vector3d value, slope;
 };
 
 Along along(CellType type, const FaceCoordinates& nodes, double xi) {
+  const auto start = column_of(nodes, 0), end = column_of(nodes, 1);
   if (type == CellType::seg2)
-    return {0.5 * (1 - xi) * nodes.col(0) + 0.5 * (1 + xi) * nodes.col(1),
-            0.5 * (nodes.col(1) - nodes.col(0))};
-  return {0.5 * xi * (xi - 1) * nodes.col(0) + 0.5 * xi * (xi + 1) * nodes.col(1) +
-              (1 - xi * xi) * nodes.col(2),
-          (xi - 0.5) * nodes.col(0) + (xi + 0.5) * nodes.col(1) - 2 * xi * nodes.col(2)};
+    return {sum_of(scaled(0.5 * (1 - xi), start), scaled(0.5 * (1 + xi), end)),
+            scaled(0.5, difference_of(end, start))};
+  const auto middle = column_of(nodes, 2);
+  const Vector3d ends = sum_of(scaled(0.5 * xi * (xi - 1), start), scaled(0.5 * xi * (xi + 1), end));
+  const Vector3d slopes = sum_of(scaled(xi - 0.5, start), scaled(xi + 0.5, end));
+  return {sum_of(ends, scaled(1 - xi * xi, middle)), difference_of(slopes, scaled(2 * xi, middle))};
 }
 
 struct Root {
@@ -85,10 +85,12 @@ template <class Function> double by_bisection(const Function& f) {
 std::optional<double> slave_place(const SlaveFace& slave, const Vector3d& x) {
   const auto f = [&](double xi) {
     const auto at = along(slave.type, slave.x, xi), normal = along(slave.type, slave.normals, xi);
-    const Vector3d apart = at.value - x;
-    return std::array{cross(apart, normal.value), cross(at.slope, normal.value) + cross(apart, normal.slope)};
+    const Vector3d apart = difference_of(at.value, x);
+    return std::array{plane_cross(apart, normal.value),
+                      plane_cross(at.slope, normal.value) + plane_cross(apart, normal.slope)};
   };
-  const double sign = cross(slave.x.col(1) - slave.x.col(0), along(slave.type, slave.normals, 0).value);
+  const double sign = plane_cross(difference_of(column_of(slave.x, 1), column_of(slave.x, 0)),
+                                  along(slave.type, slave.normals, 0).value);
   const double at_low = sign * f(-1)[0], at_high = sign * f(1)[0];
   if (at_low > 0 && at_high < 0)
     return std::nullopt;
@@ -104,7 +106,7 @@ std::optional<double> slave_place(const SlaveFace& slave, const Vector3d& x) {
 Root place_on_line(const MasterFace& master, const Vector3d& x, const Vector3d& normal, double start) {
   return newton(start, 1 + 2 * line_outside, [&](double eta) {
     const auto at = along(master.type, master.x, eta);
-    return std::array{cross(at.value - x, normal), cross(at.slope, normal)};
+    return std::array{plane_cross(difference_of(at.value, x), normal), plane_cross(at.slope, normal)};
   });
 }
 
@@ -123,11 +125,12 @@ std::span<const cell::QuadraturePoint> line_rule(CellType slave, CellType master
 }
 
 bool has_length(const FaceCoordinates& x) {
-  return (x.col(1) - x.col(0)).squaredNorm() > 0;
+  const Vector3d way = difference_of(column_of(x, 1), column_of(x, 0));
+  return dot(way, way) > 0;
 }
 
 double distance_to(const MasterFace& master, double eta, const Vector3d& x, const Vector3d& normal) {
-  return normal.dot(along(master.type, master.x, eta).value - x) / normal.norm();
+  return dot(normal, difference_of(along(master.type, master.x, eta).value, x)) / length_of(normal);
 }
 
 /// The master's place before ξ of the slave, and how far away it is along the slave's normal.
@@ -156,7 +159,7 @@ bool face_each_other(const SlaveFace& slave, const MasterFace& master, const Pie
   const Vector3d x = along(slave.type, slave.x, middle).value;
   const double eta = master_place(master, x, normal, piece.guess(middle));
   const Vector3d slope = along(master.type, master.x, eta).slope;
-  return slope.cross(Vector3d::UnitZ()).dot(normal) < 0;
+  return slope[1] * normal[0] - slope[0] * normal[1] < 0; // slope × e_z
 }
 
 MetMaster met_at(const SlaveFace& slave, const MasterFace& master, const Piece& piece, double xi) {
@@ -195,14 +198,17 @@ void append_piece(const SlaveFace& slave, const Measure& measure, const MasterFa
 /// Whether lines along the normals go that far before they cross.
 bool is_before_crossing(const SlaveFace& slave, double xi, double distance) {
   const auto x = along(slave.type, slave.x, xi), normal = along(slave.type, slave.normals, xi);
-  const double lengths = distance / normal.value.norm();
-  return cross(x.slope, normal.value) * cross(x.slope + lengths * normal.slope, normal.value) > 0;
+  const double lengths = distance / length_of(normal.value);
+  return plane_cross(x.slope, normal.value) *
+             plane_cross(sum_of(x.slope, scaled(lengths, normal.slope)), normal.value) >
+         0;
 }
 
 /// The piece of a sub-facet before a master face, without length where there is none. Nothing where lines
 /// along the normals cross between the two: places come in the opposite order there.
 std::optional<Piece> piece_before(const SlaveFace& slave, const SubFacet& facet, const MasterFace& master) {
-  const auto first = slave_place(slave, master.x.col(0)), last = slave_place(slave, master.x.col(1));
+  const auto first = slave_place(slave, column_of(master.x, 0)),
+             last = slave_place(slave, column_of(master.x, 1));
   if (!first || !last)
     return std::nullopt;
   Piece piece;
@@ -220,7 +226,11 @@ std::optional<Piece> piece_before(const SlaveFace& slave, const SubFacet& facet,
 
 /// The slave face with one direction of projection: that of its middle.
 SlaveFace along_one_normal(SlaveFace slave) {
-  slave.normals = along(slave.type, slave.normals, 0).value.replicate<1, 9>();
+  const Vector3d middle = along(slave.type, slave.normals, 0).value;
+  slave.normals.resize(3, 9);
+  for (int node = 0; node < 9; ++node)
+    for (int i = 0; i < 3; ++i)
+      slave.normals(i, node) = middle[i];
   return slave;
 }
 

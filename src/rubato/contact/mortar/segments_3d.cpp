@@ -2,9 +2,8 @@
 #include "rubato/cell/reference_cell.hpp"
 #include "rubato/contact/mortar/search.hpp"
 #include "rubato/contact/mortar/segments.hpp"
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/contact/surface.hpp"
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -42,29 +41,33 @@ std::span<const cell::QuadraturePoint> triangle_rule(CellType slave, CellType ma
 /// A node of a clipping facet; QUAD8 has a node 8 where its middle is.
 Vector3d clipping_node(const FaceCoordinates& nodes, std::uint8_t node) {
   if (node < nodes.cols())
-    return nodes.col(node);
-  const Vector3d corners = nodes.leftCols<4>().rowwise().sum();
-  const Vector3d mids = nodes.rightCols<4>().rowwise().sum();
-  return 0.5 * mids - 0.25 * corners;
+    return column_of(nodes, node);
+  Vector3d middle;
+  for (int i = 0; i < 3; ++i) {
+    const double corners = nodes(i, 0) + nodes(i, 1) + nodes(i, 2) + nodes(i, 3);
+    const double mids = nodes(i, 4) + nodes(i, 5) + nodes(i, 6) + nodes(i, 7);
+    middle[i] = 0.5 * mids - 0.25 * corners;
+  }
+  return middle;
 }
 
 /// The polygon of a master sub-facet in the plane, the other way round: it faces the slave. Empty where it
 /// does not.
 Polygon facing_polygon(const FaceCoordinates& local, const SubFacet& facet) {
   std::array<Vector3d, 4> corners;
-  corners.fill(Vector3d::Zero());
+  corners.fill(Vector3d(0, 0, 0));
   const auto count = static_cast<std::size_t>(facet.node_count);
   for (std::size_t i = 0; i < count; ++i)
     corners[i] = clipping_node(local, facet.nodes[i]);
-  const Vector3d one = corners[2] - corners[0];
-  const Vector3d other = (count == 4 ? corners[3] : corners[2]) - corners[1];
-  const Vector3d normal = one.cross(other);
+  const Vector3d one = difference_of(corners[2], corners[0]);
+  const Vector3d other = difference_of(count == 4 ? corners[3] : corners[2], corners[1]);
+  const Vector3d normal = cross(one, other);
   Polygon polygon;
-  const double length = normal.norm();
-  if (!(length > no_overlap_area * one.squaredNorm()) || normal[2] >= facing * length)
+  const double length = length_of(normal);
+  if (!(length > no_overlap_area * dot(one, one)) || normal[2] >= facing * length)
     return polygon;
   for (std::size_t i = count; i-- > 0;)
-    polygon.add(corners[i].head<2>());
+    polygon.add({corners[i][0], corners[i][1]});
   return polygon;
 }
 
@@ -78,7 +81,8 @@ Eigen::AlignedBox2d box_around(const Polygon& polygon) {
 /// The box of a face in the plane, grown where it may bulge.
 Eigen::AlignedBox2d box_around(CellType type, const FaceCoordinates& local) {
   const auto box = box_of(type, local);
-  return {box.min().head<2>(), box.max().head<2>()};
+  const Vector3d low = box.min(), high = box.max();
+  return {Vector2d(low[0], low[1]), Vector2d(high[0], high[1])};
 }
 
 Vector2d middle_of(CellType type) {
@@ -95,15 +99,15 @@ double undeformed_measure(CellType type, const FaceCoordinates& undeformed, cons
              dimension = static_cast<std::size_t>(cell.dimension);
   const Vector3d at(xi[0], xi[1], 0);
   cell.gradients(at, std::span(gradients).first(count * dimension));
-  Eigen::Matrix<double, 3, 2> tangents = Eigen::Matrix<double, 3, 2>::Zero();
+  std::array<Vector3d, 2> tangents{Vector3d(0, 0, 0), Vector3d(0, 0, 0)};
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t a = 0; a < dimension; ++a)
-      tangents.col(static_cast<Eigen::Index>(a)) +=
-          gradients[i * dimension + a] * undeformed.col(static_cast<Eigen::Index>(i));
+      add_scaled(gradients[i * dimension + a], column_of(undeformed, static_cast<Eigen::Index>(i)),
+                 tangents[a]);
   double scale = measure.thickness;
   if (measure.ring)
     scale *= 2 * std::numbers::pi * face_position(type, undeformed, xi)[0];
-  return scale * (dimension == 1 ? tangents.col(0).norm() : tangents.col(0).cross(tangents.col(1)).norm());
+  return scale * length_of(dimension == 1 ? tangents[0] : cross(tangents[0], tangents[1]));
 }
 
 namespace {
@@ -113,11 +117,11 @@ Vector3d plane_normal(const SlaveFace& slave, const SubFacet& facet, const Vecto
   if (!slave.along_normals)
     return face_normal;
   const auto values = face_values(slave.type, facet.middle);
-  Vector3d mean = Vector3d::Zero();
+  Vector3d mean(0, 0, 0);
   for (Eigen::Index k = 0; k < slave.normals.cols(); ++k)
-    mean += values[static_cast<std::size_t>(k)] * slave.normals.col(k);
-  mean = mean.stableNormalized();
-  return mean.dot(face_normal) >= least_agreement ? mean : face_normal;
+    add_scaled(values[static_cast<std::size_t>(k)], column_of(slave.normals, k), mean);
+  mean = unit_of(mean);
+  return dot(mean, face_normal) >= least_agreement ? mean : face_normal;
 }
 
 } // namespace
@@ -126,32 +130,50 @@ PlaneOverlaps::PlaneOverlaps(const SlaveFace& slave, const SubFacet& facet, cons
                              const Reach& reach)
     : slave_(slave), facet_(facet), measure_(measure), reach_(reach) {
   const auto middle = face_geometry(slave.type, slave.x, facet.middle);
-  const Vector3d normal = middle.tangents.col(0).cross(middle.tangents.col(1));
-  const double length = normal.norm();
-  if (!(length > no_overlap_area * middle.tangents.squaredNorm()))
+  const Vector3d along = column_of(middle.tangents, 0), aside = column_of(middle.tangents, 1);
+  const Vector3d normal = cross(along, aside);
+  const double length = length_of(normal);
+  if (!(length > no_overlap_area * (dot(along, along) + dot(aside, aside))))
     return;
   for (int i = 0; i < facet.node_count; ++i)
-    centre_ += slave.x.col(facet.nodes[static_cast<std::size_t>(i)]) / facet.node_count;
-  const Vector3d across = plane_normal(slave, facet, normal / length);
-  const Vector3d along = middle.tangents.col(0);
-  axes_.row(2) = across;
-  axes_.row(0) = (along - along.dot(across) * across).normalized();
-  axes_.row(1) = axes_.row(2).cross(axes_.row(0));
-  map_ = PlaneMap(slave.type, axes_ * (slave.x.colwise() - centre_));
-  for (int i = 0; i < facet.node_count; ++i)
-    polygon_.add(map_.local().col(facet.nodes[static_cast<std::size_t>(i)]).head<2>());
+    add_scaled(1. / facet.node_count, column_of(slave.x, facet.nodes[static_cast<std::size_t>(i)]), centre_);
+  axes_[2] = plane_normal(slave, facet, unit_of(normal));
+  axes_[0] = unit_of(part_across(axes_[2], along));
+  axes_[1] = cross(axes_[2], axes_[0]);
+  map_ = PlaneMap(slave.type, in_plane(slave.x));
+  for (int i = 0; i < facet.node_count; ++i) {
+    const auto corner = column_of(map_.local(), facet.nodes[static_cast<std::size_t>(i)]);
+    polygon_.add({corner[0], corner[1]});
+  }
   area_ = signed_area(polygon_);
   box_ = box_around(polygon_);
   undeformed_ = FacePolynomial(slave.type, slave.undeformed);
-  const double reference_area = (facet.node_count == 4 ? 4 : 0.5) * facet.from_local.determinant();
+  const double reference_area = (facet.node_count == 4 ? 4 : 0.5) * facet.stretch();
   flat_determinant_ = area_ / reference_area;
   folded_ = is_folded();
+}
+
+Vector3d PlaneOverlaps::in_plane(const Vector3d& x) const {
+  const Vector3d apart = difference_of(x, centre_);
+  return {dot(axes_[0], apart), dot(axes_[1], apart), dot(axes_[2], apart)};
+}
+
+FaceCoordinates PlaneOverlaps::in_plane(const FaceCoordinates& x) const {
+  FaceCoordinates local(3, x.cols());
+  for (Eigen::Index node = 0; node < x.cols(); ++node) {
+    const double first = x(0, node) - centre_[0], second = x(1, node) - centre_[1],
+                 third = x(2, node) - centre_[2];
+    for (std::size_t i = 0; i < 3; ++i)
+      local(static_cast<Eigen::Index>(i), node) =
+          axes_[i][0] * first + axes_[i][1] * second + axes_[i][2] * third;
+  }
+  return local;
 }
 
 void PlaneOverlaps::append(const MasterFace& master, OverlapPoints& into) const {
   if (!(area_ > 0))
     return;
-  const FaceCoordinates local = axes_ * (master.x.colwise() - centre_);
+  const auto local = in_plane(master.x);
   if (!box_.intersects(box_around(master.type, local)))
     return;
   const PlaneMap map(master.type, local);
@@ -170,7 +192,11 @@ namespace {
 using Corners = std::array<Vector2d, 3>;
 
 Vector2d between(const Corners& corners, const Vector3d& r) {
-  return corners[0] + r[0] * (corners[1] - corners[0]) + r[1] * (corners[2] - corners[0]);
+  Vector2d place;
+  for (int i = 0; i < 2; ++i)
+    place[i] =
+        corners[0][i] + r[0] * (corners[1][i] - corners[0][i]) + r[1] * (corners[2][i] - corners[0][i]);
+  return place;
 }
 
 /// Reference coordinates at the corners of a polygon and at their mean: between those of a triangle Newton's
@@ -245,8 +271,8 @@ bool PlaneOverlaps::append_triangle(const MasterFace& master, const PlaneMap& ma
     map_.set_values(point.xi, point.slave_values);
     map.set_values(point.eta, point.master_values);
     const auto undeformed = undeformed_.at(point.xi);
-    const double stretch =
-        measure_.thickness * undeformed.by_first.cross(undeformed.by_second).norm() / on_slave.determinant[i];
+    const double stretch = measure_.thickness * length_of(cross(undeformed.by_first, undeformed.by_second)) /
+                           on_slave.determinant[i];
     point.weight = 2 * triangle.area * rule[i].weight * stretch;
     point.distance = on_master.height[i] - on_slave.height[i];
     within_reach = within_reach || reach_.contains(point.distance);
@@ -255,10 +281,10 @@ bool PlaneOverlaps::append_triangle(const MasterFace& master, const PlaneMap& ma
 }
 
 std::optional<double> PlaneOverlaps::distance_before(const MasterFace& master, const Vector2d& xi) const {
-  const Vector3d x = axes_ * (face_position(slave_.type, slave_.x, xi) - centre_);
-  const PlaneMap map(master.type, axes_ * (master.x.colwise() - centre_));
+  const Vector3d x = in_plane(face_position(slave_.type, slave_.x, xi));
+  const PlaneMap map(master.type, in_plane(master.x));
   PlanePlaces places(1);
-  places.start(0, x.head<2>(), middle_of(master.type));
+  places.start(0, {x[0], x[1]}, middle_of(master.type));
   map.find(places);
   Projection place;
   place.xi = places.xi_at(0);
@@ -274,7 +300,7 @@ std::optional<double> PlaneOverlaps::distance_before(const MasterFace& master, c
 bool PlaneOverlaps::is_folded() const {
   return std::ranges::any_of(std::span(facet_.nodes).first(polygon_.size()), [&](std::uint8_t node) {
     const auto& xi = cell::reference_cell(slave_.type).nodes[node];
-    return map_.place_at(xi.head<2>()).determinant < -fold * flat_determinant_;
+    return map_.place_at({xi[0], xi[1]}).determinant < -fold * flat_determinant_;
   });
 }
 
@@ -291,14 +317,20 @@ PlanePlace PlaneOverlaps::flat_place(const Vector2d& p) const {
   const bool quadrangle = polygon_.size() == 4;
   const Vector2d origin = quadrangle ? mean_corner(polygon_) : polygon_[0];
   const double scale = quadrangle ? 0.5 : 1;
-  Eigen::Matrix2d to_plane;
-  to_plane << scale * (polygon_[1] - polygon_[0]), scale * (polygon_[quadrangle ? 3 : 2] - polygon_[0]);
+  const auto &from = polygon_[0], &first = polygon_[1], &last = polygon_[quadrangle ? 3 : 2];
+  const Vector2d along(scale * (first[0] - from[0]), scale * (first[1] - from[1]));
+  const Vector2d aside(scale * (last[0] - from[0]), scale * (last[1] - from[1]));
+  const double determinant = along[0] * aside[1] - along[1] * aside[0];
+  const double squares =
+      along[0] * along[0] + along[1] * along[1] + aside[0] * aside[0] + aside[1] * aside[1];
   Projection local;
   local.xi = quadrangle ? Vector2d(0, 0) : Vector2d(1. / 3, 1. / 3);
-  if (to_plane.determinant() > no_overlap_area * to_plane.squaredNorm())
-    local.xi = to_plane.inverse() * (p - origin);
+  if (determinant > no_overlap_area * squares) {
+    const double x = p[0] - origin[0], y = p[1] - origin[1], inverse = 1 / determinant;
+    local.xi = {inverse * (aside[1] * x - aside[0] * y), inverse * (along[0] * y - along[1] * x)};
+  }
   clamp_to_face(facet_.type(), local);
-  auto place = map_.place_at(facet_.origin + facet_.from_local * local.clamped);
+  auto place = map_.place_at(facet_.to_face(local.clamped));
   place.determinant = flat_determinant_;
   return place;
 }

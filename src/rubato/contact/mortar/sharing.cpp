@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/mortar/parts.hpp"
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/core/index.hpp"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ private:
     return options_.keep.empty() ? Keep::by_cover : options_.keep[node];
   }
   bool can_be_kept(std::size_t node) const {
-    return work_.covered[node] > 0 && keep_of(node) != Keep::never && !work_.normals[node].isZero(0);
+    return work_.covered[node] > 0 && keep_of(node) != Keep::never && !is_zero(work_.normals[node]);
   }
   bool has_enough(std::size_t node) const {
     const double least = options_.least_shares.empty() ? least_kept_share : options_.least_shares[node];
@@ -103,7 +104,8 @@ private:
     const auto areas = kept_areas(count, part.covered, kept);
     for (int i = 0; i < count; ++i)
       if (kept[at(i)])
-        add(node_of(part, i), index, rows.row(i), areas[i], part.bounds[at(i)]);
+        add(node_of(part, i), index, {rows(i, 0), rows(i, 1), rows(i, 2), rows(i, 3)}, areas[i],
+            part.bounds[at(i)]);
     return true;
   }
 
@@ -115,14 +117,14 @@ private:
       for (const int node : face_of(part).position_span())
         for (const int other : slave_.faces_of_node[at(node)])
           collect_kept(slave_.faces[at(other)]);
-    std::ranges::sort(work_.takers);
+    std::sort(work_.takers.begin(), work_.takers.end());
     work_.takers.erase(std::unique(work_.takers.begin(), work_.takers.end()), work_.takers.end());
-    const double area = part.covered.first.sum();
+    const double area = total_of(part.covered.first);
     if (work_.takers.empty())
       into_.lost_area += area;
     const double share = 1. / static_cast<double>(std::max<std::size_t>(1, work_.takers.size()));
     for (const int node : work_.takers)
-      add(node, index, Vector4d::Constant(share), share * area, {});
+      add(node, index, Vector4d(share, share, share, share), share * area, {});
   }
 
   void collect_kept(const Face& face) {
@@ -135,12 +137,13 @@ private:
   void add(int node, int part, const Vector4d& row, double area, const LeastGaps::Bound& bound) {
     auto& share = work_.shares.emplace_back(Share{node, part, row, row});
     into_.nodes[at(node)].weight += area;
-    const double lift = area > 0 ? area * bound.value - row.dot(work_.parts[at(part)].gaps) : 0;
+    const double lift = area > 0 ? area * bound.value - dot(row, work_.parts[at(part)].gaps) : 0;
     if (!(lift > 0))
       return;
     into_.nodes[at(node)].lift += lift;
     into_.nodes[at(node)].lift_slope += bound.by_least > 1 ? area : 0;
-    share.gap_row = area * bound.row;
+    for (int i = 0; i < 4; ++i)
+      share.gap_row[i] = area * bound.row[i];
     share.by_least = area * bound.by_least;
   }
 
@@ -149,7 +152,7 @@ private:
       return;
     auto& receivers = into_.nodes[at(node)].receivers;
     receivers.insert(receivers.end(), work_.takers.begin(), work_.takers.end());
-    std::ranges::sort(receivers);
+    std::sort(receivers.begin(), receivers.end());
     receivers.erase(std::unique(receivers.begin(), receivers.end()), receivers.end());
   }
 
@@ -184,9 +187,9 @@ void start_nodes(const Surface& slave, const SlaveReference& reference,
 void add_products(const Share& share, const Products& products, const Face& face, double sign,
                   NodeSums& sums) {
   for (int k = 0; k < face.node_count; ++k) {
-    const double weight = sign * share.row.dot(products.col(k));
-    sums.add(face.positions[at(k)], weight,
-             share.is_lifted() ? sign * share.gap_row.dot(products.col(k)) : weight);
+    const Vector4d column(products(0, k), products(1, k), products(2, k), products(3, k));
+    const double weight = sign * dot(share.row, column);
+    sums.add(face.positions[at(k)], weight, share.is_lifted() ? sign * dot(share.gap_row, column) : weight);
   }
 }
 

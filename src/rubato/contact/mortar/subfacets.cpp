@@ -4,8 +4,6 @@
 #include "rubato/cell/reference_cell.hpp"
 #include "rubato/cell/topology.hpp"
 
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <stdexcept>
 #include <string>
@@ -14,7 +12,6 @@
 namespace rubato::contact::mortar {
 namespace {
 
-using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
 using Nodes = std::vector<std::uint8_t>;
@@ -22,30 +19,33 @@ using Nodes = std::vector<std::uint8_t>;
 /// ξ of a local node; QUAD8 has a node 8 at (0, 0) for clipping.
 Vector2d place_of(CellType face, std::uint8_t node) {
   const auto& cell = cell::reference_cell(face);
-  return node < cell.node_count ? Vector2d(cell.nodes[node].head<2>()) : Vector2d(0, 0);
+  return node < cell.node_count ? Vector2d(cell.nodes[node][0], cell.nodes[node][1]) : Vector2d(0, 0);
 }
 
 /// The affine map from the facet's own reference cell: SEG2 [−1, 1], TRIA3, QUAD4 [−1, 1]².
 SubFacet make_facet(CellType face, const Nodes& nodes) {
   SubFacet facet;
   facet.node_count = static_cast<int>(nodes.size());
-  std::ranges::copy(nodes, facet.nodes.begin());
+  std::copy(nodes.begin(), nodes.end(), facet.nodes.begin());
   std::array<Vector2d, 4> at;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     at[i] = place_of(face, nodes[i]);
-    facet.middle += at[i] / static_cast<double>(nodes.size());
+    for (int a = 0; a < 2; ++a)
+      facet.middle[a] += at[i][a] / static_cast<double>(nodes.size());
   }
-  facet.origin = facet.middle;
-  facet.from_local.setIdentity();
-  if (facet.node_count == 2) {
-    facet.from_local(0, 0) = 0.5 * (at[1] - at[0])[0];
-  } else if (facet.node_count == 3) {
-    facet.origin = at[0];
-    facet.from_local << at[1] - at[0], at[2] - at[0];
-  } else {
-    facet.from_local << 0.5 * (at[1] - at[0]), 0.5 * (at[3] - at[0]);
+  facet.origin = facet.node_count == 3 ? at[0] : facet.middle;
+  const double scale = facet.node_count == 3 ? 1 : 0.5;
+  for (int a = 0; a < 2 && facet.node_count > 2; ++a) {
+    facet.from_local(a, 0) = scale * (at[1][a] - at[0][a]);
+    facet.from_local(a, 1) = scale * (at[facet.node_count == 3 ? 2 : 3][a] - at[0][a]);
   }
-  facet.to_local = facet.from_local.inverse();
+  if (facet.node_count == 2)
+    facet.from_local(0, 0) = scale * (at[1][0] - at[0][0]);
+  const double inverse = 1 / facet.stretch();
+  facet.to_local(0, 0) = facet.from_local(1, 1) * inverse;
+  facet.to_local(1, 0) = -facet.from_local(1, 0) * inverse;
+  facet.to_local(0, 1) = -facet.from_local(0, 1) * inverse;
+  facet.to_local(1, 1) = facet.from_local(0, 0) * inverse;
   return facet;
 }
 
@@ -85,11 +85,10 @@ std::vector<Entry> make_table() {
 
 const Entry& entry_of(CellType face) {
   static const auto table = make_table();
-  const auto found = std::ranges::find(table, face, &Entry::face);
-  if (found == table.end())
-    throw std::invalid_argument("no mortar contact on cells of type " +
-                                std::string(cell::topology(face).name));
-  return *found;
+  for (const auto& entry : table)
+    if (entry.face == face)
+      return entry;
+  throw std::invalid_argument("no mortar contact on cells of type " + std::string(cell::topology(face).name));
 }
 
 } // namespace
@@ -107,7 +106,9 @@ std::span<const SubFacet> clipping_facets(CellType face) {
 }
 
 Eigen::Vector4d facet_values(const SubFacet& facet, const Vector2d& xi) {
-  const Vector2d r = facet.to_local * (xi - facet.origin);
+  const double first = xi[0] - facet.origin[0], second = xi[1] - facet.origin[1];
+  const Vector2d r(facet.to_local(0, 0) * first + facet.to_local(0, 1) * second,
+                   facet.to_local(1, 0) * first + facet.to_local(1, 1) * second);
   if (facet.node_count == 2)
     return {0.5 * (1 - r[0]), 0.5 * (1 + r[0]), 0, 0};
   if (facet.node_count == 3)
@@ -119,10 +120,11 @@ Eigen::Vector4d facet_values(const SubFacet& facet, const Vector2d& xi) {
 
 std::vector<cell::QuadraturePoint> facet_rule(const SubFacet& facet, int degree) {
   auto rule = cell::rule_of_degree(facet.type(), degree);
-  const double scale = facet.from_local.determinant();
   for (auto& point : rule) {
-    point.xi.head<2>() = facet.origin + facet.from_local * point.xi.head<2>();
-    point.weight *= scale;
+    const auto xi = facet.to_face({point.xi[0], point.xi[1]});
+    point.xi[0] = xi[0];
+    point.xi[1] = xi[1];
+    point.weight *= facet.stretch();
   }
   return rule;
 }

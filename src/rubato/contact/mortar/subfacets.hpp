@@ -26,6 +26,14 @@ struct SubFacet {
   Eigen::Matrix2d from_local = Eigen::Matrix2d::Identity();
   Eigen::Vector2d middle = Eigen::Vector2d::Zero(); ///< ξ of the mean of its nodes
 
+  /// ξ of the face at a place of the facet's own reference cell.
+  Eigen::Vector2d to_face(const Eigen::Vector2d& local) const {
+    return {origin[0] + (from_local(0, 0) * local[0] + from_local(0, 1) * local[1]),
+            origin[1] + (from_local(1, 0) * local[0] + from_local(1, 1) * local[1])};
+  }
+  /// The determinant of that map.
+  double stretch() const { return from_local(0, 0) * from_local(1, 1) - from_local(1, 0) * from_local(0, 1); }
+
   /// SEG2, TRIA3 or QUAD4.
   CellType type() const;
 };
