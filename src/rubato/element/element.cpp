@@ -1,25 +1,23 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Isotropic elasticity needs of a cell's shape only the Gram matrix of the physical gradients g_i,
 ///   A_ab(i,j) = ∫ ∂_a N_i ∂_b N_j,
-/// one matrix product over all quadrature points; then
+/// then
 ///   K_ab(i,j) = λ A_ab(i,j) + μ A_ba(i,j) + μ δ_ab Σ_c A_cc(i,j).
 /// Axisymmetric cells add the hoop row N_i / r to the gradients: ε_zz = u_x / r. A tangent D that is not
-/// isotropic needs no more: with B_i = Σ_r g_i^r L_r, L_r constant,
-///   K(i,j) = Σ_rs A_rs(i,j) L_rᵀ D L_s.
+/// isotropic is that of a nonlinear cell in small strain (nonlinear/block_sums.hpp).
 #include "rubato/element/element.hpp"
 
 #include "rubato/cell/shape_table.hpp"
 #include "rubato/element/isotropic_stiffness.hpp"
+#include "rubato/element/nonlinear/block_sums.hpp"
 
-#include <Eigen/LU>
-
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 
 namespace rubato::element {
 namespace {
@@ -27,9 +25,6 @@ namespace {
 using Eigen::Index;
 using study::Physics;
 using Points = std::span<const Eigen::Vector3d>;
-
-constexpr Index most_points = 27;
-constexpr Index most_nodes = 27;
 
 [[noreturn]] void refuse(CellType type) {
   throw std::invalid_argument(std::string(cell::topology(type).name) + " is no bulk cell of this physics");
@@ -40,271 +35,129 @@ void check_dimension(CellType type, Physics physics) {
     refuse(type);
 }
 
-/// Calls `work` with the dimension of the type, known at compile time.
-template <class Work> void with_dimension(CellType type, const Work& work) {
-  switch (cell::topology(type).dimension) {
-  case 2:
-    return work(std::integral_constant<int, 2>{});
-  case 3:
-    return work(std::integral_constant<int, 3>{});
+/// Of a cell that is checked.
+CellGradients gradients_of(CellType type, Points points, const Section& section) {
+  return {type, points, section, false};
+}
+
+/// Where components of the physics are among all six.
+std::span<const int> voigt_places(Physics physics) {
+  static constexpr std::array solid{0, 1, 2, 3, 4, 5};
+  static constexpr std::array axisymmetric{0, 1, 2, 3};
+  static constexpr std::array plane{0, 1, 3};
+  switch (physics) {
+  case Physics::solid:
+    return solid;
+  case Physics::axisymmetric:
+    return axisymmetric;
   default:
-    refuse(type);
+    return plane;
   }
 }
 
-/// A vector of D components for each node.
-template <int D> using Nodal = Eigen::Matrix<double, D, Eigen::Dynamic, Eigen::ColMajor, D, most_nodes>;
-template <int D> using Square = Eigen::Matrix<double, D, D>;
-/// One column a quadrature point.
-template <int MostRows>
-using Columns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, MostRows, most_points>;
-
-template <int D> Nodal<D> coordinates(Points points) {
-  Nodal<D> x(D, static_cast<Index>(points.size()));
-  for (Index i = 0; i < x.cols(); ++i)
-    x.col(i) = points[static_cast<std::size_t>(i)].template head<D>();
-  return x;
+/// `tangent` with all six components, times `factor`; what the physics leaves out is 0.
+void put_whole(const material::Tangent& tangent, double factor, std::span<const int> places,
+               material::Tangent6& whole) {
+  whole.setZero();
+  for (std::size_t j = 0; j < places.size(); ++j)
+    for (std::size_t i = 0; i < places.size(); ++i)
+      whole(places[i], places[j]) = factor * tangent(static_cast<Index>(i), static_cast<Index>(j));
 }
 
-template <int D> auto reference_gradients(const cell::ShapeTable& table, Index q) {
-  return Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>>(table.gradients.col(q).data(), D,
-                                                                    table.values.rows());
+/// `tangent_at`: D of a point.
+template <class TangentAt>
+void put_stiffness(CellType type, Points points, const TangentAt& tangent_at, const Section& section,
+                   Eigen::Ref<Eigen::MatrixXd> k) {
+  check_dimension(type, section.physics);
+  const auto gradients = gradients_of(type, points, section);
+  const auto places = voigt_places(section.physics);
+  AtPoints<material::Tangent6> moduli;
+  const auto of_points = std::span(moduli).first(static_cast<std::size_t>(gradients.points()));
+  for (std::size_t q = 0; q < of_points.size(); ++q)
+    put_whole(tangent_at(q), gradients.weight(static_cast<int>(q)), places, of_points[q]);
+  put_block_sums(gradients, of_points, 0, gradients.nodes(), {k.data(), static_cast<int>(k.outerStride())});
 }
 
-template <int D> Square<D> jacobian(const Nodal<D>& x, const cell::ShapeTable& table, Index q) {
-  const auto n_xi = reference_gradients<D>(table, q);
-  Square<D> j = Square<D>::Zero();
-  for (Index i = 0; i < x.cols(); ++i)
-    j += x.col(i) * n_xi.col(i).transpose();
-  return j;
-}
-
-template <int D> double radius(const Nodal<D>& x, const cell::ShapeTable& table, Index q) {
-  return x.row(0).dot(table.values.col(q));
-}
-
-/// One quadrature point in space.
-template <int D> struct PointInSpace {
-  Square<D> inverse; ///< transposed inverse Jacobian: takes reference gradients to ∂N_i/∂x_a
-  double jacobian;
-  double radius; ///< x
-};
-
-template <int D> PointInSpace<D> point_in_space(const Nodal<D>& x, const cell::ShapeTable& table, Index q) {
-  const auto j = jacobian<D>(x, table, q);
-  return {j.inverse().transpose(), j.determinant(), radius<D>(x, table, q)};
-}
-
-/// The gradients of every point times the root of its volume; with Rows = D + 1 the hoop row N_i / r follows
-/// those of each node.
-template <int D, int Rows>
-Columns<Rows * most_nodes> scaled_gradients(const cell::ShapeTable& table, Points points,
-                                            const Section& section) {
-  const auto x = coordinates<D>(points);
-  Columns<Rows * most_nodes> scaled(Rows * x.cols(), table.weights.size());
-  for (Index q = 0; q < table.weights.size(); ++q) {
-    const auto at = point_in_space<D>(x, table, q);
-    const auto n_xi = reference_gradients<D>(table, q);
-    const double root = std::sqrt(table.weights[q] * at.jacobian * measure(section, at.radius));
-    const Square<D> to_space = root * at.inverse;
-    Eigen::Map<Eigen::Matrix<double, Rows, Eigen::Dynamic>> column(scaled.col(q).data(), Rows, x.cols());
-    for (Index i = 0; i < x.cols(); ++i)
-      column.col(i).template head<D>() = to_space * n_xi.col(i);
-    if constexpr (Rows > D)
-      column.row(D) = root / at.radius * table.values.col(q).transpose();
+/// det ∂x/∂ξ at a point of a table.
+template <int d> double jacobian(const cell::ShapeTable& table, Points points, Index q) {
+  const double* const gradients = table.gradients.col(q).data();
+  std::array<double, static_cast<std::size_t>(d * d)> j{};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double* const x = points[i].data();
+    unrolled<d * d>([&](auto m) { j[m] += x[m % d] * gradients[static_cast<int>(i) * d + m / d]; });
   }
-  return scaled;
-}
-
-/// K_ab(i,j) from A_ab(i,j), both for one pair of nodes, of an isotropic law.
-template <int D, int Rows> struct IsotropicBlock {
-  material::Lame lame;
-
-  Square<D> operator()(const Square<Rows>& a) const {
-    const Square<D> plane = a.template topLeftCorner<D, D>();
-    Square<D> block = lame.lambda * plane + lame.mu * plane.transpose();
-    block.diagonal().array() += lame.mu * plane.trace();
-    if constexpr (Rows > D) {
-      block.row(0) += lame.lambda * a.row(D).template head<D>();
-      block.col(0) += lame.lambda * a.col(D).template head<D>();
-      block(0, 0) += (lame.lambda + 2 * lame.mu) * a(D, D);
-    }
-    return block;
-  }
-};
-
-/// L_r: what the r-th gradient of a shape function gives to the strains of its node's displacements.
-template <int D, int Rows> Eigen::Matrix<double, Eigen::Dynamic, D, 0, 6, D> strain_of_gradient(int r) {
-  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, D, 0, 6, D>;
-  if constexpr (D == 3) {
-    Matrix l = Matrix::Zero(6, 3);
-    l(r, r) = 1;
-    constexpr std::array<std::array<int, 2>, 3> shears{{{0, 1}, {1, 2}, {0, 2}}};
-    for (int s = 0; s < 3; ++s)
-      for (int end = 0; end < 2; ++end)
-        if (shears[s][end] == r)
-          l(3 + s, shears[s][1 - end]) = 1;
-    return l;
-  } else {
-    Matrix l = Matrix::Zero(Rows + 1, 2); // xx yy xy, or xx yy zz xy
-    if (r == D) {
-      l(2, 0) = 1;
-    } else {
-      l(r, r) = 1;
-      l(Rows, 1 - r) = 1;
-    }
-    return l;
-  }
-}
-
-/// The same of any symmetric tangent.
-template <int D, int Rows> struct GeneralBlock {
-  std::array<Square<D>, static_cast<std::size_t>(Rows* Rows)> terms; ///< L_rᵀ D L_s at r + Rows s
-
-  explicit GeneralBlock(const material::Tangent& tangent) {
-    for (int s = 0; s < Rows; ++s)
-      for (int r = 0; r < Rows; ++r)
-        terms[static_cast<std::size_t>(r + Rows * s)] =
-            strain_of_gradient<D, Rows>(r).transpose() * tangent * strain_of_gradient<D, Rows>(s);
-  }
-
-  Square<D> operator()(const Square<Rows>& a) const {
-    Square<D> block = Square<D>::Zero();
-    for (int s = 0; s < Rows; ++s)
-      for (int r = 0; r < Rows; ++r)
-        block += a(r, s) * terms[static_cast<std::size_t>(r + Rows * s)];
-    return block;
-  }
-};
-
-template <int D, int Rows, class Block>
-void stiffness_of(const cell::ShapeTable& table, Points points, const Block& block_of, const Section& section,
-                  Eigen::Ref<Eigen::MatrixXd> k) {
-  const auto scaled = scaled_gradients<D, Rows>(table, points, section);
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, Rows * most_nodes, Rows * most_nodes>
-      gram(scaled.rows(), scaled.rows());
-  gram.noalias() = scaled * scaled.transpose();
-  const auto nodes = static_cast<Index>(points.size());
-  for (Index j = 0; j < nodes; ++j)
-    for (Index i = 0; i <= j; ++i) {
-      const Square<D> block = block_of(gram.template block<Rows, Rows>(Rows * i, Rows * j));
-      k.block<D, D>(D * i, D * j) = block;
-      k.block<D, D>(D * j, D * i) = block.transpose();
-    }
-}
-
-/// Calls `work` with the components and the rows of gradients of the physics, known at compile time.
-template <class Work> void with_rows(CellType type, Physics physics, const Work& work) {
-  with_dimension(type, [&]<int D>(std::integral_constant<int, D> dimension) {
-    if constexpr (D == 2)
-      if (physics == Physics::axisymmetric)
-        return work(dimension, std::integral_constant<int, 3>{});
-    work(dimension, dimension);
-  });
-}
-
-/// B of one point times the root of its volume, from the scaled gradients of that point.
-template <int D, int Rows, class Column> auto strain_matrix(const Column& gradients, Index nodes) {
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, D * most_nodes> b;
-  b.setZero(D == 3 ? 6 : Rows + 1, D * nodes);
-  for (int r = 0; r < Rows; ++r) {
-    const auto of_gradient = strain_of_gradient<D, Rows>(r);
-    for (Index i = 0; i < nodes; ++i)
-      b.template middleCols<D>(D * i) += gradients[Rows * i + r] * of_gradient;
-  }
-  return b;
-}
-
-template <int D, int Rows>
-void varying_stiffness_of(const cell::ShapeTable& table, Points points,
-                          std::span<const material::Tangent> tangents, const Section& section,
-                          Eigen::Ref<Eigen::MatrixXd> k) {
-  const auto scaled = scaled_gradients<D, Rows>(table, points, section);
-  k.setZero();
-  for (Index q = 0; q < scaled.cols(); ++q) {
-    const auto b = strain_matrix<D, Rows>(scaled.col(q), static_cast<Index>(points.size()));
-    k.noalias() += b.transpose() * (tangents[static_cast<std::size_t>(q)] * b).eval();
-  }
-  k.template triangularView<Eigen::StrictlyLower>() = k.transpose().eval();
-}
-
-template <int D, class Density>
-void mass_of(const cell::ShapeTable& table, Points points, const Density& density_at, const Section& section,
-             Eigen::Ref<Eigen::MatrixXd> m) {
-  const auto x = coordinates<D>(points);
-  Columns<most_nodes> scaled(x.cols(), table.weights.size());
-  for (Index q = 0; q < table.weights.size(); ++q) {
-    const double volume =
-        table.weights[q] * jacobian<D>(x, table, q).determinant() * measure(section, radius<D>(x, table, q));
-    scaled.col(q) = std::sqrt(density_at(q) * volume) * table.values.col(q);
-  }
-  m.noalias() = scaled * scaled.transpose();
-}
-
-/// Small-strain Voigt vector from the displacement gradient h_ab = ∂u_a/∂x_b (and u_x / r).
-material::Voigt voigt(const Eigen::Matrix3d& h) {
-  material::Voigt strain(6);
-  strain << h(0, 0), h(1, 1), h(2, 2), h(0, 1) + h(1, 0), h(1, 2) + h(2, 1), h(0, 2) + h(2, 0);
-  return strain;
-}
-
-material::Voigt voigt(const Eigen::Matrix2d& h, double hoop, Physics physics) {
-  material::Voigt strain(material::strain_size(physics));
-  if (physics == Physics::axisymmetric)
-    strain << h(0, 0), h(1, 1), hoop, h(0, 1) + h(1, 0);
+  if constexpr (d == 2)
+    return j[0] * j[3] - j[2] * j[1];
   else
-    strain << h(0, 0), h(1, 1), h(0, 1) + h(1, 0);
-  return strain;
+    return j[0] * (j[4] * j[8] - j[7] * j[5]) - j[3] * (j[1] * j[8] - j[7] * j[2]) +
+           j[6] * (j[1] * j[5] - j[4] * j[2]);
 }
 
-template <int D>
-void strains_of(const cell::ShapeTable& table, Points points, Physics physics,
-                std::span<const double> displacement, Eigen::Ref<Eigen::MatrixXd> strain) {
-  const auto x = coordinates<D>(points);
-  const Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>> u(displacement.data(), D, x.cols());
+double jacobian(const cell::ShapeTable& table, Points points, Index q, int dimension) {
+  return dimension == 3 ? jacobian<3>(table, points, q) : jacobian<2>(table, points, q);
+}
+
+double radius(const cell::ShapeTable& table, Points points, Index q) {
+  double radius = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    radius += points[i][0] * table.values(static_cast<Index>(i), q);
+  return radius;
+}
+
+/// `density_at`: that of a point.
+template <class DensityAt>
+void put_mass(CellType type, Points points, const DensityAt& density_at, const Section& section,
+              Eigen::Ref<Eigen::MatrixXd> m) {
+  check_dimension(type, section.physics);
+  const auto& table = cell::mass_table(type);
+  const int dimension = cell::topology(type).dimension;
+  const auto nodes = points.size();
+  constexpr std::size_t most_pairs = most_stride / 2;
+  const auto pairs = static_cast<std::size_t>(even(static_cast<int>(nodes))) / 2;
+  std::array<std::array<Pair, most_pairs>, most_nodes_of_cell> sums;
+  for (std::size_t j = 0; j < nodes; ++j)
+    std::fill_n(sums[j].begin(), pairs, Pair{});
+  std::array<Pair, most_pairs> scaled;
   for (Index q = 0; q < table.weights.size(); ++q) {
-    const auto at = point_in_space<D>(x, table, q);
-    const auto n_xi = reference_gradients<D>(table, q);
-    Square<D> h = Square<D>::Zero();
-    for (Index i = 0; i < x.cols(); ++i)
-      h += u.col(i) * (at.inverse * n_xi.col(i)).transpose();
-    if constexpr (D == 3)
-      strain.col(q) = voigt(h);
-    else
-      strain.col(q) = voigt(h, u.row(0).dot(table.values.col(q)) / at.radius, physics);
+    double volume = table.weights[q] * jacobian(table, points, q, dimension);
+    if (dimension == 2)
+      volume *= measure(section, radius(table, points, q));
+    const double root = std::sqrt(density_at(q) * volume);
+    const double* const n = table.values.col(q).data();
+    for (std::size_t p = 0; p < pairs; ++p)
+      scaled[p] = root * Pair{n[2 * p], 2 * p + 1 < nodes ? n[2 * p + 1] : 0};
+    for (std::size_t j = 0; j < nodes; ++j)
+      for (std::size_t p = 0; p < pairs; ++p)
+        sums[j][p] += scaled[p] * scaled[j / 2][j % 2];
   }
+  for (std::size_t j = 0; j < nodes; ++j)
+    for (std::size_t i = 0; i < nodes; ++i)
+      m(static_cast<Index>(i), static_cast<Index>(j)) = sums[j][i / 2][i % 2];
 }
 
-template <int D, int Rows>
-void stress_forces_of(const cell::ShapeTable& table, Points points, const Section& section,
-                      const Eigen::MatrixXd& stress, Eigen::Ref<Eigen::MatrixXd> g) {
-  const auto x = coordinates<D>(points);
-  const auto scaled = scaled_gradients<D, Rows>(table, points, section);
-  g.setZero();
-  for (Index q = 0; q < table.weights.size(); ++q) {
-    const auto at = point_in_space<D>(x, table, q);
-    const double root = std::sqrt(table.weights[q] * at.jacobian * measure(section, at.radius));
-    Eigen::Matrix<double, D, Rows> by_gradient;
-    for (int r = 0; r < Rows; ++r)
-      by_gradient.col(r) = root * strain_of_gradient<D, Rows>(r).transpose() * stress.col(q);
-    for (Index i = 0; i < x.cols(); ++i)
-      g.block(D * i, 0, D, x.cols()) +=
-          by_gradient * scaled.col(q).template segment<Rows>(Rows * i) * table.values.col(q).transpose();
-  }
-}
-
-template <int D> double worst_jacobian_of(const cell::ShapeTable& table, Points points) {
-  const auto x = coordinates<D>(points);
+/// The smallest at the points of a table.
+double worst_jacobian_of(const cell::ShapeTable& table, Points points, int dimension) {
   double worst = std::numeric_limits<double>::infinity();
   for (Index q = 0; q < table.weights.size(); ++q)
-    if (const double here = jacobian<D>(x, table, q).determinant(); !(here >= worst))
+    if (const double here = jacobian(table, points, q, dimension); !(here >= worst))
       worst = here;
   return worst;
 }
 
-/// Diagonal of the consistent mass scaled to the cell's mass.
-void scale_diagonal(const Eigen::MatrixXd& consistent, Eigen::Ref<Eigen::VectorXd> m) {
-  m = consistent.diagonal() * (consistent.sum() / consistent.trace());
+/// Lumped masses: sums of rows where they cannot be negative, else the diagonal scaled to the cell's mass.
+void lump(CellType type, const Eigen::MatrixXd& consistent, Eigen::Ref<Eigen::VectorXd> m) {
+  double whole = 0, trace = 0;
+  for (Index j = 0; j < m.size(); ++j) {
+    m[j] = 0;
+    for (Index i = 0; i < m.size(); ++i)
+      m[j] += consistent(i, j);
+    whole += m[j];
+    trace += consistent(j, j);
+  }
+  if (cell::topology(type).order == 1)
+    return;
+  for (Index j = 0; j < m.size(); ++j)
+    m[j] = consistent(j, j) * (whole / trace);
 }
 
 } // namespace
@@ -330,73 +183,40 @@ void stiffness(CellType type, Points points, const material::Law& law, const Sec
   if (!lame)
     return stiffness(type, points, material::tangent(law, section.physics), section, k);
   check_dimension(type, section.physics);
-  if (isotropic_stiffness(type, points, *lame, section, k))
-    return;
-  with_rows(type, section.physics,
-            [&]<int D, int Rows>(std::integral_constant<int, D>, std::integral_constant<int, Rows>) {
-              stiffness_of<D, Rows>(cell::stiffness_table(type), points, IsotropicBlock<D, Rows>{*lame},
-                                    section, k);
-            });
+  isotropic_stiffness(type, points, *lame, section, k);
 }
 
 void stiffness(CellType type, Points points, const material::Tangent& tangent, const Section& section,
                Eigen::Ref<Eigen::MatrixXd> k) {
-  check_dimension(type, section.physics);
-  with_rows(type, section.physics,
-            [&]<int D, int Rows>(std::integral_constant<int, D>, std::integral_constant<int, Rows>) {
-              stiffness_of<D, Rows>(cell::stiffness_table(type), points, GeneralBlock<D, Rows>(tangent),
-                                    section, k);
-            });
+  put_stiffness(
+      type, points, [&](std::size_t) -> const material::Tangent& { return tangent; }, section, k);
 }
 
 void varying_stiffness(CellType type, Points points, std::span<const material::Tangent> tangents,
                        const Section& section, Eigen::Ref<Eigen::MatrixXd> k) {
-  check_dimension(type, section.physics);
-  with_rows(type, section.physics,
-            [&]<int D, int Rows>(std::integral_constant<int, D>, std::integral_constant<int, Rows>) {
-              varying_stiffness_of<D, Rows>(cell::stiffness_table(type), points, tangents, section, k);
-            });
+  put_stiffness(
+      type, points, [&](std::size_t q) -> const material::Tangent& { return tangents[q]; }, section, k);
 }
-
-namespace {
-
-template <class Density>
-void mass_with(CellType type, Points points, const Density& density_at, const Section& section,
-               Eigen::Ref<Eigen::MatrixXd> m) {
-  check_dimension(type, section.physics);
-  const auto& table = cell::mass_table(type);
-  with_dimension(type, [&]<int D>(std::integral_constant<int, D>) {
-    mass_of<D>(table, points, density_at, section, m);
-  });
-}
-
-/// Sums of rows where they cannot be negative.
-void lump(CellType type, const Eigen::MatrixXd& consistent, Eigen::Ref<Eigen::VectorXd> m) {
-  if (cell::topology(type).order == 1)
-    m = consistent.rowwise().sum();
-  else
-    scale_diagonal(consistent, m);
-}
-
-} // namespace
 
 void mass(CellType type, Points points, double density, const Section& section,
           Eigen::Ref<Eigen::MatrixXd> m) {
-  mass_with(
+  put_mass(
       type, points, [density](Index) { return density; }, section, m);
 }
 
 void varying_mass(CellType type, Points points, std::span<const double> densities, const Section& section,
                   Eigen::Ref<Eigen::MatrixXd> m) {
-  mass_with(
+  put_mass(
       type, points, [densities](Index q) { return densities[static_cast<std::size_t>(q)]; }, section, m);
 }
 
 Eigen::Matrix3Xd places(const cell::ShapeTable& table, Points points) {
-  Eigen::Matrix3Xd x(3, table.values.rows());
-  for (Index i = 0; i < x.cols(); ++i)
-    x.col(i) = points[static_cast<std::size_t>(i)];
-  return x * table.values;
+  Eigen::Matrix3Xd x = Eigen::Matrix3Xd::Zero(3, table.values.cols());
+  for (Index q = 0; q < x.cols(); ++q)
+    for (Index i = 0; i < table.values.rows(); ++i)
+      for (int a = 0; a < 3; ++a)
+        x(a, q) += points[static_cast<std::size_t>(i)][a] * table.values(i, q);
+  return x;
 }
 
 void lumped_mass(CellType type, Points points, double density, const Section& section,
@@ -416,40 +236,54 @@ void varying_lumped_mass(CellType type, Points points, std::span<const double> d
 void strains(CellType type, Points points, Physics physics, std::span<const double> displacement,
              Eigen::Ref<Eigen::MatrixXd> strain) {
   check_dimension(type, physics);
-  const auto& table = cell::stiffness_table(type);
-  with_dimension(type, [&]<int D>(std::integral_constant<int, D>) {
-    strains_of<D>(table, points, physics, displacement, strain);
-  });
+  const auto gradients = gradients_of(type, points, {physics, 1});
+  AtPoints<Eigen::Matrix3d> h;
+  gradients.set_displacement_gradients(gradients.by_component(displacement), h);
+  const auto places_of_physics = voigt_places(physics);
+  for (int q = 0; q < gradients.points(); ++q) {
+    const auto& at = h[static_cast<std::size_t>(q)];
+    const std::array all{at(0, 0),           at(1, 1), at(2, 2), at(0, 1) + at(1, 0), at(1, 2) + at(2, 1),
+                         at(0, 2) + at(2, 0)};
+    for (std::size_t i = 0; i < places_of_physics.size(); ++i)
+      strain(static_cast<Index>(i), q) = all[static_cast<std::size_t>(places_of_physics[i])];
+  }
 }
 
 void stress_forces(CellType type, Points points, const Section& section, const Eigen::MatrixXd& stress,
                    Eigen::Ref<Eigen::MatrixXd> g) {
   check_dimension(type, section.physics);
-  with_rows(type, section.physics,
-            [&]<int D, int Rows>(std::integral_constant<int, D>, std::integral_constant<int, Rows>) {
-              stress_forces_of<D, Rows>(cell::stiffness_table(type), points, section, stress, g);
-            });
+  const auto gradients = gradients_of(type, points, section);
+  const auto& values = cell::stiffness_table(type).values;
+  const auto places_of_physics = voigt_places(section.physics);
+  g.setZero();
+  for (int q = 0; q < gradients.points(); ++q) {
+    material::Stress6 all = material::Stress6::Zero();
+    for (std::size_t i = 0; i < places_of_physics.size(); ++i)
+      all[places_of_physics[i]] = stress(static_cast<Index>(i), q);
+    std::array<double, static_cast<std::size_t>(3 * most_nodes_of_cell)> force;
+    auto nodal = gradients.no_force();
+    gradients.add_force(q, tensor_of(all), nodal);
+    gradients.put(nodal, force);
+    for (int j = 0; j < gradients.nodes(); ++j)
+      for (int i = 0; i < gradients.dofs(); ++i)
+        g(i, j) += force[static_cast<std::size_t>(i)] * values(j, q);
+  }
 }
 
 void point_volumes(CellType type, Points points, const Section& section, Eigen::Ref<Eigen::VectorXd> volume) {
   check_dimension(type, section.physics);
-  const auto& table = cell::stiffness_table(type);
-  with_dimension(type, [&]<int D>(std::integral_constant<int, D>) {
-    const auto x = coordinates<D>(points);
-    for (Index q = 0; q < table.weights.size(); ++q)
-      volume[q] = table.weights[q] * jacobian<D>(x, table, q).determinant() *
-                  measure(section, radius<D>(x, table, q));
-  });
+  const auto gradients = gradients_of(type, points, section);
+  for (int q = 0; q < gradients.points(); ++q)
+    volume[q] = gradients.weight(q);
 }
 
 double worst_jacobian(CellType type, Points points) {
-  double worst = 0;
-  with_dimension(type, [&]<int D>(std::integral_constant<int, D>) {
-    const double in_stiffness = worst_jacobian_of<D>(cell::stiffness_table(type), points);
-    const double in_mass = worst_jacobian_of<D>(cell::mass_table(type), points);
-    worst = in_mass < in_stiffness ? in_mass : in_stiffness;
-  });
-  return worst;
+  const int dimension = cell::topology(type).dimension;
+  if (dimension < 2)
+    refuse(type);
+  const double in_stiffness = worst_jacobian_of(cell::stiffness_table(type), points, dimension);
+  const double in_mass = worst_jacobian_of(cell::mass_table(type), points, dimension);
+  return in_mass < in_stiffness ? in_mass : in_stiffness;
 }
 
 } // namespace rubato::element

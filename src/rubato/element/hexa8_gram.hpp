@@ -3,6 +3,8 @@
 /// hexa8_stiffness.cpp).
 #pragma once
 
+#include "rubato/element/nonlinear/pair.hpp"
+
 #include <Eigen/Core>
 
 #include <array>
@@ -16,7 +18,7 @@ namespace rubato::element::hexa8_modes {
 /// The nodes of both cells.
 using PointsOfTwo = std::array<std::span<const Eigen::Vector3d>, 2>;
 /// A number of each of them.
-using Twin = Eigen::Array2d;
+using Twin = Pair;
 using FourTwins = std::array<Twin, 4>;
 using EightTwins = std::array<Twin, 8>;
 /// Of a tensor T: T_xx, T_yy, T_zz, then xy, yz, zx of T + Tᵀ.
@@ -92,7 +94,7 @@ inline JacobianTwins jacobians(const PointsOfTwo& cells) {
     const auto row = static_cast<Eigen::Index>(a);
     EightTwins x;
     for (std::size_t i = 0; i < 8; ++i)
-      x[i] = Twin(cells[0][node_of_sign[i]][row], cells[1][node_of_sign[i]][row]);
+      x[i] = Twin{cells[0][node_of_sign[i]][row], cells[1][node_of_sign[i]][row]};
     transform(x);
     for (std::size_t m = 1; m < 8; ++m)
       x[m] *= gauss_power[static_cast<std::size_t>(std::popcount(m)) - 1] / 8;
@@ -138,7 +140,7 @@ inline void set_gradients(const JacobianTwins& j, GradientTwins& g) {
     set_cross(z, x, g.weighted[1]);
     set_cross(x, y, g.weighted[2]);
     const auto& normal = g.weighted[0];
-    const Twin inverse = 1 / (x[0] * normal[0][q] + x[1] * normal[1][q] + x[2] * normal[2][q]);
+    const Twin inverse = 1. / (x[0] * normal[0][q] + x[1] * normal[1][q] + x[2] * normal[2][q]);
     for (std::size_t k = 0; k < 3; ++k)
       for (std::size_t a = 0; a < 3; ++a)
         g.plain[k][a][q] = inverse * g.weighted[k][a][q];

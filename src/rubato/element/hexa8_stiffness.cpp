@@ -21,6 +21,7 @@
 
 #include <bit>
 #include <cstddef>
+#include <cstring>
 
 namespace rubato::element::hexa8_modes {
 namespace {
@@ -34,9 +35,9 @@ struct LameTwins {
 };
 
 LameTwins scaled_lame(const std::array<Hexa8Stiffness, 2>& cells, double scale) {
-  const Twin lambda = scale * Twin(cells[0].lame.lambda, cells[1].lame.lambda);
-  const Twin mu = scale * Twin(cells[0].lame.mu, cells[1].lame.mu);
-  return {2 * (lambda + mu), lambda + mu, 2 * mu, lambda - mu};
+  const Twin lambda = scale * Twin{cells[0].lame.lambda, cells[1].lame.lambda};
+  const Twin mu = scale * Twin{cells[0].lame.mu, cells[1].lame.mu};
+  return {2. * (lambda + mu), lambda + mu, 2. * mu, lambda - mu};
 }
 
 /// Σ_n φ_n(t) M(n+p,n) at 8 t + p: its symmetric part where φ_p(t) = 1, else the skew one, which comes first.
@@ -207,11 +208,16 @@ void set_half(const std::array<Hexa8Stiffness, 2>& cells, const GramTwins& gram,
   put_modes_of_volume(gram, lame[1], half);
 }
 
+/// At any address.
+void put_both(Twin twin, double* values) {
+  std::memcpy(values, &twin, sizeof(Twin));
+}
+
 /// Of both matrices three entries of a column after each other.
 void put_column(const Twin& x, const Twin& y, const Twin& z, double* first, double* second) {
-  Eigen::Map<Twin>{first} = Twin(x[0], y[0]);
+  put_both(Twin{x[0], y[0]}, first);
   first[2] = z[0];
-  Eigen::Map<Twin>{second} = Twin(x[1], y[1]);
+  put_both(Twin{x[1], y[1]}, second);
   second[2] = z[1];
 }
 

@@ -3,86 +3,73 @@
 
 #include "rubato/element/hexa8_stiffness.hpp"
 #include "rubato/element/nonlinear/block_sums.hpp"
-#include "rubato/element/nonlinear/shapes.hpp"
 
 namespace rubato::element {
 namespace {
 
-/// A_ab(i,j) = Σ w ∂_a N_i ∂_b N_j of two nodes i at a + Rows b.
-template <int Rows> using GramPair = std::array<Eigen::Array2d, static_cast<std::size_t>(Rows* Rows)>;
+/// A_ab(i,j) = Σ w ∂_a N_i ∂_b N_j of two nodes i at a + rows b.
+template <int rows> using GramPair = std::array<Pair, static_cast<std::size_t>(rows* rows)>;
 
-template <class S> class IsotropicStiffness {
+template <int d, int rows> class IsotropicStiffness {
 public:
-  IsotropicStiffness(const CellGradients<S>& gradients, const material::Lame& lame)
+  IsotropicStiffness(const CellGradients& gradients, const material::Lame& lame)
       : gradients_(gradients), lame_(lame) {}
 
-  template <class Matrix> void put(Matrix& k) {
+  void put(const MatrixView& k) {
     for (int j = 0; j < gradients_.nodes(); ++j) {
       set_weighted(j);
       for (int i = 0; i <= j; i += 2)
-        put_blocks<S::d>(block(gram(i)), i, j, k);
+        put_blocks<d>(block(gram(i)), i, j, k);
     }
   }
 
 private:
-  using Weighted = std::array<double, static_cast<std::size_t>(S::rows)>;
-
   void set_weighted(int j) {
     for (int q = 0; q < gradients_.points(); ++q)
-      for (int row = 0; row < S::rows; ++row)
+      for (int row = 0; row < rows; ++row)
         weighted_[static_cast<std::size_t>(q)][static_cast<std::size_t>(row)] =
-            gradients_.weight(q) * gradients_.at(q, row, j);
+            twice(gradients_.weight(q) * gradients_.at(q, row, j));
   }
 
-  GramPair<S::rows> gram(int i) const {
-    GramPair<S::rows> sum;
-    sum.fill(Eigen::Array2d::Zero());
-    for (int q = 0; q < gradients_.points(); ++q)
-      unrolled<S::rows>([&]<int a>(std::integral_constant<int, a>) {
-        const Eigen::Array2d g = Eigen::Map<const Eigen::Array2d, Eigen::Aligned16>(gradients_.pair(q, a, i));
-        unrolled<S::rows>([&]<int b>(std::integral_constant<int, b>) {
-          sum[a + S::rows * b] += g * weighted_[static_cast<std::size_t>(q)][b];
-        });
+  GramPair<rows> gram(int i) const {
+    GramPair<rows> sum{};
+    const int stride = gradients_.stride();
+    for (int q = 0; q < gradients_.points(); ++q) {
+      const double* const at = gradients_.row(q, 0) + i;
+      const auto& weighted = weighted_[static_cast<std::size_t>(q)];
+      unrolled<rows>([&](auto a) {
+        const Pair g = pair_at(at + a * stride);
+        unrolled<rows>([&](auto b) { sum[a + rows * b] += g * weighted[b]; });
       });
+    }
     return sum;
   }
 
-  BlockPair<S::d> block(const GramPair<S::rows>& gram) const {
+  BlockPair<d> block(const GramPair<rows>& gram) const {
     const auto [lambda, mu] = lame_;
-    const auto at = [&](int a, int b) -> const Eigen::Array2d& {
-      return gram[static_cast<std::size_t>(a + S::rows * b)];
-    };
-    Eigen::Array2d trace = at(0, 0);
-    for (int a = 1; a < S::d; ++a)
-      trace += at(a, a);
-    BlockPair<S::d> result;
-    for (int b = 0; b < S::d; ++b)
-      for (int a = 0; a < S::d; ++a)
-        result[static_cast<std::size_t>(a + S::d * b)] = lambda * at(a, b) + mu * at(b, a);
-    for (int a = 0; a < S::d; ++a)
-      result[static_cast<std::size_t>(a + S::d * a)] += mu * trace;
-    if constexpr (S::rows > S::d)
-      add_hoop(at, result);
+    Pair trace = gram[0];
+    for (std::size_t a = 1; a < d; ++a)
+      trace += gram[a * (rows + 1)];
+    BlockPair<d> result;
+    for (std::size_t b = 0; b < d; ++b)
+      for (std::size_t a = 0; a < d; ++a)
+        result[a + d * b] = lambda * gram[a + rows * b] + mu * gram[b + rows * a];
+    for (std::size_t a = 0; a < d; ++a)
+      result[a * (d + 1)] += mu * trace;
+    if constexpr (rows > d) { // what ε_zz = u_r/R adds
+      for (std::size_t a = 0; a < d; ++a) {
+        result[d * a] += lambda * gram[d + rows * a];
+        result[a] += lambda * gram[a + rows * d];
+      }
+      result[0] += (lambda + 2 * mu) * gram[d + rows * d];
+    }
     return result;
   }
 
-  /// What ε_zz = u_r/R adds.
-  template <class At> void add_hoop(const At& at, BlockPair<S::d>& result) const {
-    for (int a = 0; a < S::d; ++a) {
-      result[static_cast<std::size_t>(S::d * a)] += lame_.lambda * at(S::d, a);
-      result[static_cast<std::size_t>(a)] += lame_.lambda * at(a, S::d);
-    }
-    result[0] += (lame_.lambda + 2 * lame_.mu) * at(S::d, S::d);
-  }
-
-  const CellGradients<S>& gradients_;
+  const CellGradients& gradients_;
   material::Lame lame_;
-  std::array<Weighted, static_cast<std::size_t>(S::most_points)> weighted_;
+  AtPoints<std::array<Pair, static_cast<std::size_t>(rows)>> weighted_;
 };
-
-} // namespace
-
-namespace {
 
 void put_hexa8(std::span<const Eigen::Vector3d> points, const material::Lame& lame,
                Eigen::Ref<Eigen::MatrixXd> k) {
@@ -94,25 +81,18 @@ void put_hexa8(std::span<const Eigen::Vector3d> points, const material::Lame& la
 
 } // namespace
 
-bool isotropic_stiffness(CellType type, std::span<const Eigen::Vector3d> points, const material::Lame& lame,
+void isotropic_stiffness(CellType type, std::span<const Eigen::Vector3d> points, const material::Lame& lame,
                          const Section& section, Eigen::Ref<Eigen::MatrixXd> k) {
-  if (type == CellType::hexa8 && section.physics == study::Physics::solid) {
-    put_hexa8(points, lame, k);
-    return true;
-  }
-  const auto put_as = [&]<class S>(ShapeTag<S>) {
-    const CellGradients<S> gradients(reference_gradients(type), points, section);
-    IsotropicStiffness<S>(gradients, lame).put(k);
-  };
-  const CellKind kind{type, section};
-  switch (section.physics) {
-  case study::Physics::solid:
-    return with_fixed_solid(kind, put_as);
-  case study::Physics::axisymmetric:
-    return with_fixed_plane<3>(kind, put_as);
-  default:
-    return with_fixed_plane<2>(kind, put_as);
-  }
+  if (type == CellType::hexa8 && section.physics == study::Physics::solid)
+    return put_hexa8(points, lame, k);
+  const CellGradients gradients(type, points, section, false);
+  const MatrixView view{k.data(), static_cast<int>(k.outerStride())};
+  if (section.physics == study::Physics::solid)
+    IsotropicStiffness<3, 3>(gradients, lame).put(view);
+  else if (section.physics == study::Physics::axisymmetric)
+    IsotropicStiffness<2, 3>(gradients, lame).put(view);
+  else
+    IsotropicStiffness<2, 2>(gradients, lame).put(view);
 }
 
 } // namespace rubato::element

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/cell/quadrature.hpp"
 #include "rubato/cell/reference_cell.hpp"
-#include "rubato/element/nonlinear/kernels.hpp"
+#include "rubato/element/nonlinear/cell_kernel.hpp"
+#include "rubato/element/nonlinear/small_hexa8.hpp"
 
 #include <stdexcept>
+#include <string>
 
 namespace rubato::element {
 namespace {
@@ -86,14 +88,9 @@ CellResult evaluate(const CellKind& kind, const PointLaws& laws, const CellInput
   if (!is_offered(kind))
     throw std::invalid_argument(std::string(cell::topology(kind.type).name) +
                                 " has no such formulation in this physics");
-  switch (kind.section.physics) {
-  case Physics::solid:
-    return evaluate_solid(kind, laws, input, output);
-  case Physics::axisymmetric:
-    return evaluate_axisymmetric(kind, laws, input, output);
-  default:
-    return evaluate_plane(kind, laws, input, output);
-  }
+  if (is_small_hexa8(kind, output))
+    return evaluate_small_hexa8(kind, laws, input, output);
+  return evaluate_cell(kind, laws, input, output);
 }
 
 } // namespace rubato::element

@@ -20,101 +20,46 @@
 /// cell::stiffness_rule, does. It vanishes where u_r = c R.
 #pragma once
 
-#include "rubato/element/nonlinear.hpp"
+#include "rubato/element/nonlinear/block_sums.hpp"
 #include "rubato/element/nonlinear/cell_gradients.hpp"
-
-#include <Eigen/LU>
-
-#include <cmath>
 
 namespace rubato::element {
 
 /// κ. Cubes bend with 0.45 of their true stiffness from one layer on (ν = 0), squares with 0.3.
 constexpr double hourglass_coefficient = 0.1;
 
-template <class S> class HourglassForces {
-  static constexpr int d = S::d;
-  static constexpr int patterns = d == 2 ? 1 : 4;
-  using Nodal = typename S::Nodal;
-
+class HourglassForces {
 public:
-  HourglassForces(const CellKind& kind, const CellGradients<S>& gradients, const CellInput& input)
-      : limit_(kind.hourglass.limit),
-        stiffness_(hourglass_coefficient * kind.hourglass.modulus * gradients.weight(0)) {
-    const Nodal u = gradients.by_component(input.displacement);
-    const auto mean = gradients.gradients(0).template leftCols<d>();
-    set_shapes(gradients.coordinates(input.points), mean);
-    set_scale(mean);
-    half_gradient_ = scale_ * shapes_.lazyProduct(shapes_.transpose().lazyProduct(u));
-    if constexpr (S::rows > d)
-      add_rolling(gradients, kind, input.points, u);
-    strain_squared_ = half_gradient_.cwiseProduct(u).sum();
-    root_ = limit_ > 0 ? std::sqrt(1 + strain_squared_ / (limit_ * limit_)) : 1;
-  }
+  HourglassForces(const CellKind& kind, const CellGradients& gradients,
+                  std::span<const Eigen::Vector3d> points, const NodalValues& u);
 
   double energy() const { return stiffness_ * strain_squared_ / (1 + root_); }
-  Nodal forces() const { return stiffness_ / root_ * half_gradient_; }
+  NodalValues forces() const;
 
   /// K += ∂forces/∂u.
-  template <class Matrix> void add_tangent(Matrix& k) const {
-    const double secant = stiffness_ / root_;
-    const double yielding = limit_ > 0 ? secant / (limit_ * limit_ * root_ * root_) : 0;
-    for (int j = 0; j < S::nodes; ++j)
-      for (int i = 0; i < S::nodes; ++i) {
-        const double alike = secant * scale_ * shapes_.row(i).dot(shapes_.row(j));
-        for (int a = 0; a < d; ++a)
-          k(i * d + a, j * d + a) += alike;
-        if constexpr (S::rows > d)
-          k(i * d, j * d) += secant * rolling_.row(i).dot(rolling_.row(j));
-      }
-    if (yielding > 0)
-      subtract_square(yielding, k);
-  }
+  void add_tangent(const MatrixView& k) const;
 
 private:
-  /// γ_α.
-  template <class Mean> void set_shapes(const Nodal& x, const Mean& mean) {
-    const auto& all = waves<d>();
-    if constexpr (d == 2)
-      shapes_ = all.col(2);
-    else
-      shapes_ << all.col(2), all.template rightCols<3>();
-    const Eigen::Matrix<double, d, patterns> moments = x.transpose().lazyProduct(shapes_);
-    shapes_ -= mean.lazyProduct(moments);
-  }
+  static constexpr std::size_t most_nodes = 8;
+  static constexpr std::size_t most_patterns = 4;
 
-  template <class Mean> void set_scale(const Mean& mean) {
-    const Eigen::Matrix<double, d, d> squares = mean.transpose().lazyProduct(mean);
-    const Eigen::Matrix<double, d, d> inverse = squares.inverse();
-    const double harmonic = d / inverse.trace();
-    scale_ = harmonic * d / S::nodes;
-  }
+  template <int d> void set_shapes(const CellGradients& gradients, std::span<const Eigen::Vector3d> points);
+  template <int d> void set_half_gradient(const NodalValues& u);
+  void add_rolling(const CellGradients& gradients, const CellKind& kind,
+                   std::span<const Eigen::Vector3d> points, const NodalValues& u);
+  template <int d> NodalValues forces_of() const;
+  template <int d> void add_tangent_of(const MatrixView& k) const;
+  template <int d> void subtract_square(double factor, const MatrixView& k) const;
 
-  /// A column a point: √(2w/V) (N_i/R − its mean).
-  void add_rolling(const CellGradients<S>& gradients, const CellKind& kind,
-                   std::span<const Eigen::Vector3d> points, const Nodal& u) {
-    const CellGradients<Shape<d, S::rows, S::nodes, S::nodes>> at(reference_gradients(kind.type), points,
-                                                                  kind.section);
-    const auto mean = gradients.gradients(0).col(d);
-    for (int q = 0; q < S::nodes; ++q)
-      rolling_.col(q) = std::sqrt(2 * at.weight(q) / gradients.weight(0)) * (at.gradients(q).col(d) - mean);
-    half_gradient_.col(0) += rolling_.lazyProduct(rolling_.transpose().lazyProduct(u.col(0)));
-  }
-
-  /// K −= factor g gᵀ, g the half gradient.
-  template <class Matrix> void subtract_square(double factor, Matrix& k) const {
-    const auto dof = [&](int i) { return half_gradient_(i / d, i % d); };
-    for (int j = 0; j < S::nodes * d; ++j)
-      for (int i = 0; i < S::nodes * d; ++i)
-        k(i, j) -= factor * (dof(i) * dof(j));
-  }
-
+  int d_, stride_;
+  bool rolls_; ///< axisymmetric
   double limit_;
-  double stiffness_; ///< κ G V
-  double scale_ = 0; ///< b d/n
-  Eigen::Matrix<double, S::nodes, patterns> shapes_;
-  Eigen::Matrix<double, S::nodes, S::rows == d ? 0 : S::nodes> rolling_;
-  Nodal half_gradient_;       ///< ½ ∂e²/∂u
+  double stiffness_;                                                  ///< κ G V
+  double scale_ = 0;                                                  ///< b d/n
+  alignas(16) std::array<double, most_nodes * most_patterns> shapes_; ///< γ_α of node i at i + nodes · α
+  /// Axisymmetric cells: √(2w/V) (N_i/R − its mean) of point q at i + nodes · q.
+  alignas(16) std::array<double, 16> rolling_;
+  NodalValues half_gradient_; ///< ½ ∂e²/∂u
   double strain_squared_ = 0; ///< e²
   double root_ = 1;           ///< r
 };

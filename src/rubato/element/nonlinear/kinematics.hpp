@@ -24,6 +24,25 @@ inline Vector9 as_vector(const Eigen::Matrix3d& tensor) {
 /// J − 1 of F = 1 + H, from the invariants of H.
 double volume_change(const Eigen::Matrix3d& h);
 
+/// FᵀF − 1 = H + Hᵀ + HᵀH.
+inline Eigen::Matrix3d green_lagrange_doubled(const Eigen::Matrix3d& h) {
+  Eigen::Matrix3d doubled;
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i <= j; ++i)
+      doubled(i, j) = doubled(j, i) =
+          h(i, j) + h(j, i) + (h(0, i) * h(0, j) + h(1, i) * h(1, j) + h(2, i) * h(2, j));
+  return doubled;
+}
+
+/// F S, F = 1 + H.
+inline Eigen::Matrix3d piola_of(const Eigen::Matrix3d& h, const Eigen::Matrix3d& s) {
+  Eigen::Matrix3d piola;
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i)
+      piola(i, j) = s(i, j) + (h(i, 0) * s(0, j) + h(i, 1) * s(1, j) + h(i, 2) * s(2, j));
+  return piola;
+}
+
 /// What a point needs to know of its H; `logarithm` has a meaning for logarithmic strain only.
 struct Deformation {
   Eigen::Matrix3d h;
@@ -36,8 +55,17 @@ material::Strain6 strain_of(StrainKind kind, Deformation& deformation);
 /// P: σ, F S, or F S of S = 2 T:∂E/∂C.
 Eigen::Matrix3d first_piola(StrainKind kind, const Deformation& deformation, const material::Stress6& stress);
 
-/// ∂E/∂F of Green–Lagrange's strain: dE_MN = sym F_kM dF_kN, engineering shears.
-Eigen::Matrix<double, 6, 9> strain_by_gradient(const Eigen::Matrix3d& f);
+/// F = 1 + H.
+inline Eigen::Matrix3d gradient_of(const Eigen::Matrix3d& h) {
+  Eigen::Matrix3d f = h;
+  for (int i = 0; i < 3; ++i)
+    f(i, i) += 1;
+  return f;
+}
+
+/// B(F)ᵀ C B(F') with B = ∂E/∂F of Green–Lagrange's strain: dE_MN = sym F_kM dF_kN, engineering shears.
+void set_moduli_between(const Eigen::Matrix3d& f, const material::Tangent6& c, const Eigen::Matrix3d& other,
+                        Moduli& moduli);
 
 /// moduli += δ_ik S_JL.
 void add_stress_part(const Eigen::Matrix3d& s, Moduli& moduli);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/element/nonlinear/logarithm.hpp"
 
+#include "rubato/element/nonlinear/pair.hpp"
 #include "rubato/element/nonlinear/voigt_tensor.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -46,6 +47,50 @@ double second_difference_of_close(double a, double b, double c) {
     h = {h[1], h[2], -e2 * h[1] + e3 * h[0]};
   }
   return 0.5 * sum / (mean * mean);
+}
+
+/// A vector of three: two of its numbers are one register.
+struct SplitVector {
+  Pair top;
+  double bottom;
+};
+
+SplitVector column_of(const Matrix3d& matrix, int j) {
+  const double* const column = matrix.data() + 3 * j;
+  return {Pair{column[0], column[1]}, column[2]};
+}
+
+/// Nᵀ T N of a symmetric T.
+Matrix3d turned(const Matrix3d& n, const Matrix3d& t) {
+  const std::array<SplitVector, 3> of_t{column_of(t, 0), column_of(t, 1), column_of(t, 2)};
+  const std::array<SplitVector, 3> of_n{column_of(n, 0), column_of(n, 1), column_of(n, 2)};
+  Matrix3d out;
+  unrolled<3>([&](auto j) {
+    const double* const by = n.data() + 3 * j;
+    const Pair top = of_t[0].top * by[0] + of_t[1].top * by[1] + of_t[2].top * by[2];
+    const double bottom = of_t[0].bottom * by[0] + of_t[1].bottom * by[1] + of_t[2].bottom * by[2];
+    unrolled<j + 1>([&](auto i) {
+      out.data()[i + 3 * j] = out.data()[j + 3 * i] = sum_of(of_n[i].top * top) + of_n[i].bottom * bottom;
+    });
+  });
+  return out;
+}
+
+/// Rᵀ X R of a symmetric X.
+Tangent6 congruent(const Tangent6& r, const Tangent6& x) {
+  Tangent6 out;
+  for (int j = 0; j < 6; ++j) {
+    std::array<Pair, 3> product{};
+    for (int k = 0; k < 6; ++k)
+      for (std::size_t p = 0; p < 3; ++p)
+        product[p] += pair_at(x.data() + 6 * k + 2 * p) * r(k, j);
+    for (int i = 0; i <= j; ++i) {
+      const double* const column = r.data() + 6 * i;
+      out(i, j) = out(j, i) = sum_of(pair_at(column) * product[0] + pair_at(column + 2) * product[1] +
+                                     pair_at(column + 4) * product[2]);
+    }
+  }
+  return out;
 }
 
 /// Rotation of engineering strains into the eigenbasis.
@@ -96,7 +141,11 @@ Tangent6 curvature(const Vector3d& excess, const Matrix3d& t) {
                 2 * first.value * second.value *
                 weight[static_cast<std::size_t>(first.row)][static_cast<std::size_t>(first.column)]
                       [static_cast<std::size_t>(second.column)];
-  return 0.5 * (gamma + gamma.transpose());
+  Tangent6 symmetric;
+  for (int j = 0; j < 6; ++j)
+    for (int i = 0; i < 6; ++i)
+      symmetric(i, j) = 0.5 * (gamma(i, j) + gamma(j, i));
+  return symmetric;
 }
 
 Matrix3d first_differences(const Vector3d& excess) {
@@ -125,30 +174,59 @@ double second_difference(double a, double b, double c) {
 
 Logarithm logarithm_of(const Matrix3d& c_less_one) {
   const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(c_less_one);
-  return {solver.eigenvalues(), solver.eigenvectors(),
-          solver.eigenvalues().unaryExpr([](double mu) { return 0.5 * std::log1p(mu); })};
+  Logarithm logarithm{solver.eigenvalues(), solver.eigenvectors(), {}};
+  for (int a = 0; a < 3; ++a)
+    logarithm.strains[a] = 0.5 * std::log1p(logarithm.excess[a]);
+  return logarithm;
 }
 
 material::Strain6 strain_of(const Logarithm& logarithm) {
-  return half_strain_of(logarithm.axes * (2 * logarithm.strains).asDiagonal() * logarithm.axes.transpose());
+  Pair xx_yy{}, xz_yz{};
+  double zz = 0, xy = 0;
+  unrolled<3>([&](auto a) {
+    const auto n = column_of(logarithm.axes, a);
+    const double doubled = 2 * logarithm.strains.data()[a];
+    const Pair scaled = n.top * doubled;
+    const double scaled_bottom = n.bottom * doubled;
+    xx_yy += n.top * scaled;
+    xz_yz += n.top * scaled_bottom;
+    zz += n.bottom * scaled_bottom;
+    xy += n.top[0] * scaled[1];
+  });
+  material::Strain6 strain;
+  strain << xx_yy[0] / 2, xx_yy[1] / 2, zz / 2, xy, xz_yz[1], xz_yz[0];
+  return strain;
 }
 
 Matrix3d second_piola(const Logarithm& logarithm, const material::Stress6& t) {
   const Matrix3d& n = logarithm.axes;
-  const Matrix3d in_basis = n.transpose() * tensor_of(t) * n;
-  return n * (2 * first_differences(logarithm.excess).cwiseProduct(in_basis)) * n.transpose();
+  Matrix3d in_basis = turned(n, tensor_of(t));
+  const Matrix3d first = first_differences(logarithm.excess);
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i)
+      in_basis(i, j) *= 2 * first(i, j);
+  Matrix3d back;
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i)
+      back(i, j) = n(j, i);
+  return turned(back, in_basis);
 }
 
+/// With R into the basis, B back and the differences 2 e[λ_a,λ_b] on a diagonal matrix Λ, L is B Λ R: the sum
+/// is Rᵀ (Λ Bᵀ D B Λ + 4 Γ) R.
 Tangent6 green_lagrange_tangent(const Logarithm& logarithm, const material::Response& response) {
   const Matrix3d& n = logarithm.axes;
-  const Tangent6 rotation = into_basis(n);
-  const Tangent6 back = into_basis(n.transpose());
   const Matrix3d first = first_differences(logarithm.excess);
-  material::Strain6 scale;
-  scale << first(0, 0), first(1, 1), first(2, 2), first(0, 1), first(1, 2), first(0, 2);
-  const Tangent6 map = back * (2 * scale).asDiagonal() * rotation;
-  const Tangent6 gamma = curvature(logarithm.excess, n.transpose() * tensor_of(response.stress) * n);
-  return map.transpose() * response.tangent * map + 4 * rotation.transpose() * gamma * rotation;
+  const std::array<double, 6> scale{2 * first(0, 0), 2 * first(1, 1), 2 * first(2, 2),
+                                    2 * first(0, 1), 2 * first(1, 2), 2 * first(0, 2)};
+  Tangent6 in_basis = congruent(into_basis(n.transpose()), response.tangent);
+  const Tangent6 gamma = curvature(logarithm.excess, turned(n, tensor_of(response.stress)));
+  for (int j = 0; j < 6; ++j)
+    for (int i = 0; i < 6; ++i)
+      in_basis(i, j) =
+          scale[static_cast<std::size_t>(i)] * scale[static_cast<std::size_t>(j)] * in_basis(i, j) +
+          4 * gamma(i, j);
+  return congruent(into_basis(n), in_basis);
 }
 
 } // namespace rubato::element

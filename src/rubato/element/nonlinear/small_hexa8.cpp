@@ -15,8 +15,6 @@ namespace {
 using hexa8::across;
 using hexa8::Lanes;
 using hexa8::node_of_corner;
-using hexa8::Pair;
-using hexa8::pair_of;
 using hexa8::starts;
 using hexa8::Tensors;
 
@@ -26,15 +24,13 @@ constexpr std::size_t corner_count = hexa8::corner_count;
 using SixLanes = std::array<Lanes, 6>;
 
 /// Place and displacement of the corners.
-std::array<Eigen::Array<double, 6, 1>, corner_count> corners_of(const CellInput& input) {
-  std::array<Eigen::Array<double, 6, 1>, corner_count> corners;
+std::array<std::array<Pair, 3>, corner_count> corners_of(const CellInput& input) {
+  std::array<std::array<Pair, 3>, corner_count> corners;
   for (std::size_t corner = 0; corner < corner_count; ++corner) {
     const auto node = node_of_corner[corner];
     const auto& x = input.points[node];
     const double* u = input.displacement.data() + 3 * node;
-    pair_of(corners[corner], 0) = Pair(x[0], x[1]);
-    pair_of(corners[corner], 1) = Pair(x[2], u[0]);
-    pair_of(corners[corner], 2) = Pair(u[1], u[2]);
+    corners[corner] = {Pair{x[0], x[1]}, Pair{x[2], u[0]}, Pair{u[1], u[2]}};
   }
   return corners;
 }
@@ -61,15 +57,13 @@ public:
       put_records();
     CellResult result;
     for (std::size_t q = 0; q < corner_count; ++q)
-      result.stored += weight_[lane(q)] * response_[q].stored;
+      result.stored += hexa8::at(weight_, q) * response_[q].stored;
     if (!finite)
       result.failure = Failure::not_finite;
     return result;
   }
 
 private:
-  static Eigen::Index lane(std::size_t q) { return static_cast<Eigen::Index>(q); }
-
   void set_gradients() {
     Tensors j, u;
     hexa8::derive(
@@ -77,43 +71,61 @@ private:
           return component < 3 ? j[component] : u[component - 3];
         });
     weight_ = hexa8::set_cofactors(j, cofactor_);
-    const Lanes inverse = 1 / weight_;
+    Lanes inverse;
+    for (std::size_t p = 0; p < 4; ++p)
+      inverse[p] = 1. / weight_[p];
     for (std::size_t a = 0; a < 3; ++a)
       for (std::size_t b = 0; b < 3; ++b)
-        gradient_[a][b] =
-            (u[a][0] * cofactor_[b][0] + u[a][1] * cofactor_[b][1] + u[a][2] * cofactor_[b][2]) * inverse;
+        for (std::size_t p = 0; p < 4; ++p)
+          gradient_[a][b][p] = (u[a][0][p] * cofactor_[b][0][p] + u[a][1][p] * cofactor_[b][1][p] +
+                                u[a][2][p] * cofactor_[b][2][p]) *
+                               inverse[p];
   }
 
   void set_strains() {
     const auto& h = gradient_;
-    SixLanes strain{h[0][0], h[1][1], h[2][2], h[0][1] + h[1][0], h[1][2] + h[2][1], h[0][2] + h[2][0]};
-    if (averages_) {
-      const Lanes change = h[0][0] + h[1][1] + h[2][2];
-      const Lanes missing = (mean(change) - change) / 3;
-      for (std::size_t a = 0; a < 3; ++a)
-        strain[a] += missing;
+    SixLanes strain{h[0][0], h[1][1], h[2][2]};
+    for (std::size_t p = 0; p < 4; ++p) {
+      strain[3][p] = h[0][1][p] + h[1][0][p];
+      strain[4][p] = h[1][2][p] + h[2][1][p];
+      strain[5][p] = h[0][2][p] + h[2][0][p];
     }
+    if (averages_)
+      replace_mean(strain);
     for (std::size_t q = 0; q < corner_count; ++q) {
+      double* const of_point = strain_[q].data();
       for (std::size_t i = 0; i < 3; ++i)
-        pair_of(strain_[q], i) = Pair(strain[2 * i][lane(q)], strain[2 * i + 1][lane(q)]);
+        put_pair(Pair{hexa8::at(strain[2 * i], q), hexa8::at(strain[2 * i + 1], q)}, of_point + 2 * i);
       free_strains_.take_from(q, strain_[q]);
     }
   }
 
-  double mean(const Lanes& values) const { return (weight_ * values).sum() / weight_.sum(); }
+  /// A third of the sum of the first three becomes its mean over the volume.
+  void replace_mean(SixLanes& tensor) const {
+    Lanes third;
+    for (std::size_t p = 0; p < 4; ++p)
+      third[p] = (tensor[0][p] + tensor[1][p] + tensor[2][p]) / 3.;
+    const double mean_third = mean(third);
+    for (std::size_t a = 0; a < 3; ++a)
+      for (std::size_t p = 0; p < 4; ++p)
+        tensor[a][p] += mean_third - third[p];
+  }
+
+  double mean(const Lanes& values) const {
+    const auto sum = [](const Lanes& lanes) { return sum_of((lanes[0] + lanes[1]) + (lanes[2] + lanes[3])); };
+    Lanes weighted;
+    for (std::size_t p = 0; p < 4; ++p)
+      weighted[p] = weight_[p] * values[p];
+    return sum(weighted) / sum(weight_);
+  }
 
   /// What forces are made of: with mean dilatation the pressure is its mean, too.
   void set_stresses() {
-    for (std::size_t pair = 0; pair < 4; ++pair)
+    for (std::size_t p = 0; p < 4; ++p)
       for (std::size_t i = 0; i < 6; ++i)
-        pair_of(stress_[i], pair) =
-            Pair(response_[2 * pair].stress[lane(i)], response_[2 * pair + 1].stress[lane(i)]);
-    if (!averages_)
-      return;
-    const Lanes pressure = (stress_[0] + stress_[1] + stress_[2]) / 3;
-    const Lanes missing = mean(pressure) - pressure;
-    for (std::size_t a = 0; a < 3; ++a)
-      stress_[a] += missing;
+        stress_[i][p] = Pair{response_[2 * p].stress.data()[i], response_[2 * p + 1].stress.data()[i]};
+    if (averages_)
+      replace_mean(stress_);
   }
 
   const Lanes& stress(std::size_t a, std::size_t b) const {
@@ -122,46 +134,48 @@ private:
 
   /// Whether they are finite.
   bool put_forces() {
-    using Force = Eigen::Array<double, 4, 1>; // the last one is 0: two numbers at once
-    std::array<Force, corner_count> forces;
-    forces.fill(Force::Zero());
+    using Force = std::array<Pair, 2>; // the last number is 0: two numbers at once
+    std::array<Force, corner_count> forces{};
     for (std::size_t k = 0; k < 3; ++k) {
       std::array<Lanes, 3> by_xi;
       for (std::size_t a = 0; a < 3; ++a)
-        by_xi[a] =
-            stress(a, 0) * cofactor_[0][k] + stress(a, 1) * cofactor_[1][k] + stress(a, 2) * cofactor_[2][k];
+        for (std::size_t p = 0; p < 4; ++p)
+          by_xi[a][p] = stress(a, 0)[p] * cofactor_[0][k][p] + stress(a, 1)[p] * cofactor_[1][k][p] +
+                        stress(a, 2)[p] * cofactor_[2][k][p];
       std::array<Force, 4> along;
       for (std::size_t i = 0; i < 4; ++i) {
-        const auto start = lane(starts[k][i]), end = lane(starts[k][i] + across(k));
-        const auto half = [&](std::size_t a) { return 0.5 * (by_xi[a][start] + by_xi[a][end]); };
-        pair_of(along[i], 0) = Pair(half(0), half(1));
-        pair_of(along[i], 1) = Pair(half(2), 0);
+        const auto start = starts[k][i], end = starts[k][i] + across(k);
+        const auto half = [&](std::size_t a) {
+          return 0.5 * (hexa8::at(by_xi[a], start) + hexa8::at(by_xi[a], end));
+        };
+        along[i] = {Pair{half(0), half(1)}, Pair{half(2), 0}};
       }
       hexa8::mix(along);
-      for (std::size_t i = 0; i < 4; ++i) {
-        forces[starts[k][i]] -= along[i];
-        forces[starts[k][i] + across(k)] += along[i];
-      }
+      for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t m = 0; m < 2; ++m) {
+          forces[starts[k][i]][m] -= along[i][m];
+          forces[starts[k][i] + across(k)][m] += along[i][m];
+        }
     }
     double sum = 0;
     for (std::size_t corner = 0; corner < corner_count; ++corner)
       for (std::size_t a = 0; a < 3; ++a)
-        sum += output_.force[3 * node_of_corner[corner] + a] = forces[corner][lane(a)];
+        sum += output_.force[3 * node_of_corner[corner] + a] = forces[corner][a / 2][a % 2];
     return std::isfinite(sum);
   }
 
   void put_records() const {
     for (std::size_t q = 0; q < corner_count; ++q) {
       auto& record = output_.records[q];
-      record.volume = weight_[lane(q)];
+      record.volume = hexa8::at(weight_, q);
       record.stored = response_[q].stored;
       record.strain = strain_[q];
       record.free = free_strains_.at(q);
       record.stress = record.cauchy = response_[q].stress;
       for (std::size_t a = 0; a < 3; ++a)
         for (std::size_t b = 0; b < 3; ++b) {
-          record.gradient(lane(a), lane(b)) = gradient_[a][b][lane(q)];
-          record.piola(lane(a), lane(b)) = stress(a, b)[lane(q)];
+          record.gradient.data()[a + 3 * b] = hexa8::at(gradient_[a][b], q);
+          record.piola.data()[a + 3 * b] = hexa8::at(stress(a, b), q);
         }
     }
   }

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/cell/reference_cell.hpp"
 #include "rubato/element/energy_momentum.hpp"
-#include "rubato/element/nonlinear/kernels.hpp"
-
-#include <Eigen/Core>
+#include "rubato/element/nonlinear/between_kernel.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,19 +11,13 @@
 namespace rubato::element {
 namespace {
 
-using study::Physics;
-
-constexpr std::size_t most_dofs = 81;
-using Dofs = std::array<double, most_dofs>;
-
-Eigen::Map<Eigen::VectorXd> vector(std::span<double> values) {
-  return {values.data(), static_cast<Eigen::Index>(values.size())};
-}
+constexpr std::size_t most_numbers = 81;
+using Numbers = std::array<double, most_numbers>;
 
 /// The forces at {u}, with half their tangent.
 CellResult evaluate_middle(const CellKind& kind, const PointLaws& laws, const BetweenInput& input,
                            const BetweenOutput& output) {
-  Dofs middle;
+  Numbers middle;
   for (std::size_t i = 0; i < input.before.size(); ++i)
     middle[i] = 0.5 * (input.before[i] + input.after[i]);
   const auto tangent = output.tangent.empty() ? output.exact_tangent : output.tangent;
@@ -33,7 +25,8 @@ CellResult evaluate_middle(const CellKind& kind, const PointLaws& laws, const Be
                                {input.points, std::span(middle).first(input.before.size()), input.old,
                                 input.step, input.modes, input.free_strain},
                                {output.now, output.force, tangent});
-  vector(tangent) /= 2;
+  for (double& value : tangent)
+    value /= 2;
   if (!output.tangent.empty() && !output.exact_tangent.empty())
     std::ranges::copy(output.tangent, output.exact_tangent.begin());
   return result;
@@ -43,7 +36,7 @@ CellResult evaluate_middle(const CellKind& kind, const PointLaws& laws, const Be
 CellResult evaluate_end(const CellKind& kind, const PointLaws& laws, const BetweenInput& input,
                         std::span<const double> displacement, std::span<double> now,
                         std::span<PointRecord> records) {
-  Dofs force;
+  Numbers force;
   return evaluate(kind, laws,
                   {input.points, displacement, input.old, input.step, input.modes, input.free_strain},
                   {now, std::span(force).first(displacement.size()), {}, records});
@@ -77,14 +70,7 @@ BetweenResult evaluate_between(const CellKind& kind, const PointLaws& laws, cons
                                 " has no such forces over a step in this formulation");
   if (kind.strain == StrainKind::small)
     return evaluate_between_small(kind, laws, input, output);
-  switch (kind.section.physics) {
-  case Physics::solid:
-    return evaluate_between_solid(kind, laws, input, output);
-  case Physics::axisymmetric:
-    return evaluate_between_axisymmetric(kind, laws, input, output);
-  default:
-    return evaluate_between_plane(kind, laws, input, output);
-  }
+  return evaluate_between_large(kind, laws, input, output);
 }
 
 } // namespace rubato::element
