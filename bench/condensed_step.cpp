@@ -6,7 +6,7 @@
 /// iteration, the seconds of processor time of one when a forward and backward solve are taken off.
 #include "rubato/core/processor_time.hpp"
 #include "rubato/model/model.hpp"
-#include "rubato/simulation/simulation.hpp"
+#include "rubato/simulation/time_integration.hpp"
 #include "rubato/step/advance.hpp"
 #include "rubato/step/common/contact_evaluator.hpp"
 

@@ -14,7 +14,7 @@
 #include "rubato/core/processor_time.hpp"
 #include "rubato/deck/read.hpp"
 #include "rubato/model/model.hpp"
-#include "rubato/simulation/simulation.hpp"
+#include "rubato/simulation/time_integration.hpp"
 #include "rubato/step/advance.hpp"
 #include "rubato/step/common/effective_system.hpp"
 

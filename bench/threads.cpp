@@ -12,7 +12,7 @@
 #include "rubato/deck/read.hpp"
 #include "rubato/domain/assembly.hpp"
 #include "rubato/model/model.hpp"
-#include "rubato/simulation/simulation.hpp"
+#include "rubato/simulation/time_integration.hpp"
 #include "rubato/step/common/effective_system.hpp"
 
 #include <benchmark/benchmark.h>

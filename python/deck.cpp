@@ -4,6 +4,8 @@
 #include "rubato/core/naming.hpp"
 #include "rubato/deck/read.hpp"
 
+#include <fmt/format.h>
+
 #include "bind.hpp"
 #include "values.hpp"
 #include <algorithm>

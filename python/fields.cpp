@@ -3,10 +3,14 @@
 #include "rubato/core/error.hpp"
 #include "rubato/core/naming.hpp"
 #include "rubato/mesh/io/med.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/results/cell_fields.hpp"
 #include "rubato/results/med_fields.hpp"
 #include "rubato/results/nodal_fields.hpp"
+#include "rubato/results/resultants.hpp"
 #include "rubato/study/stored_fields.hpp"
+
+#include <fmt/format.h>
 
 #include "bind.hpp"
 #include "model_class.hpp"

@@ -10,6 +10,8 @@
 #include "rubato/mesh/names.hpp"
 #include "rubato/model/model.hpp"
 
+#include <fmt/format.h>
+
 #include "bind.hpp"
 #include "mesh_class.hpp"
 #include "values.hpp"

@@ -2,6 +2,8 @@
 // What a mesh holds and what looks wrong with it.
 #include "rubato/mesh/quality.hpp"
 
+#include <fmt/format.h>
+
 #include "bind.hpp"
 #include "values.hpp"
 #include <pybind11/eigen.h>

@@ -9,6 +9,8 @@
 #include "rubato/mesh/refine.hpp"
 #include "rubato/mesh/skin.hpp"
 
+#include <fmt/format.h>
+
 #include "mesh_class.hpp"
 #include "values.hpp"
 #include "views.hpp"

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Models: numbering, matrices, loads.
+#include "rubato/model/model.hpp"
+
 #include "rubato/core/error.hpp"
 #include "rubato/core/naming.hpp"
+#include "rubato/core/threads.hpp"
 #include "rubato/mesh/made_groups.hpp"
 #include "rubato/mesh/names.hpp"
 #include "rubato/mesh/orientation.hpp"
+#include "rubato/model/sparse_matrix.hpp"
 #include "rubato/simulation/memento.hpp"
+
+#include <fmt/format.h>
 
 #include "model_class.hpp"
 #include "values.hpp"

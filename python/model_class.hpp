@@ -4,6 +4,7 @@
 
 #include "rubato/model/model.hpp"
 #include "rubato/step/state.hpp"
+#include "rubato/study/study.hpp"
 
 #include <memory>
 #include <optional>

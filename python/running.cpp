@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "running.hpp"
 
+#include "rubato/model/model.hpp"
 #include "rubato/run/failure.hpp"
 
 #include <chrono>

@@ -2,7 +2,7 @@
 /// A simulation that Python holds: it is advanced without the interpreter's lock, by one thread at a time.
 #pragma once
 
-#include "rubato/simulation/simulation.hpp"
+#include "rubato/simulation/time_integration.hpp"
 
 #include "model_class.hpp"
 #include <memory>

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Runs with a folder of results.
 #include "rubato/results/checks.hpp"
-#include "rubato/run/time_loop.hpp"
+#include "rubato/run/run_study.hpp"
+
+#include <fmt/format.h>
 
 #include "bind.hpp"
 #include "model_class.hpp"

@@ -2,6 +2,8 @@
 // Simulations. Steps are made without the interpreter's lock.
 #include "rubato/core/error.hpp"
 
+#include <fmt/format.h>
+
 #include "bind.hpp"
 #include "model_class.hpp"
 #include "running.hpp"

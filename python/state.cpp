@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // States: what steps change.
 #include "rubato/contact/enforcement.hpp"
+#include "rubato/model/model.hpp"
+
+#include <fmt/format.h>
 
 #include "bind.hpp"
 #include "model_class.hpp"

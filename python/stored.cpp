@@ -9,6 +9,8 @@
 #include "rubato/results/stored_fields.hpp"
 #include "rubato/results/stored_run.hpp"
 
+#include <fmt/format.h>
+
 #include "bind.hpp"
 #include "mesh_class.hpp"
 #include "values.hpp"

@@ -3,6 +3,8 @@
 #include "rubato/study/echo.hpp"
 #include "rubato/study/validate.hpp"
 
+#include <fmt/format.h>
+
 #include "bind.hpp"
 #include "record.hpp"
 #include <algorithm>

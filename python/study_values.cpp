@@ -2,6 +2,8 @@
 // Values that change with place and time.
 #include "rubato/core/error.hpp"
 
+#include <fmt/format.h>
+
 #include "record.hpp"
 #include <variant>
 

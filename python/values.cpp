@@ -4,6 +4,8 @@
 #include "rubato/core/error.hpp"
 #include "rubato/core/naming.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <pybind11/numpy.h>

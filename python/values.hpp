@@ -6,8 +6,6 @@
 
 #include "rubato/study/study.hpp"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <map>
 #include <optional>

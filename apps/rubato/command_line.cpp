@@ -5,6 +5,7 @@
 #include "rubato/mesh/io/mesh_file.hpp"
 #include "rubato/version.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

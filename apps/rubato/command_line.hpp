@@ -3,11 +3,13 @@
 /// made of it.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include "commands.hpp"
 #include <functional>
 #include <vector>
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace rubato::app {
 

@@ -4,6 +4,7 @@
 #include "rubato/linalg/blas_threads.hpp"
 #include "rubato/linalg/petsc_module.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -3,7 +3,7 @@
 #include "rubato/linalg/petsc_module.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/results/run_folder.hpp"
-#include "rubato/run/time_loop.hpp"
+#include "rubato/run/run_study.hpp"
 
 #include <fmt/format.h>
 

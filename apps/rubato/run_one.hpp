@@ -2,7 +2,7 @@
 /// One run of a deck: its folder, what is said at its end, and its exit code.
 #pragma once
 
-#include "rubato/run/time_loop.hpp"
+#include "rubato/run/run_study.hpp"
 #include "rubato/study/study.hpp"
 
 #include "commands.hpp"

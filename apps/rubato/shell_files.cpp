@@ -3,6 +3,7 @@
 
 #include "rubato/core/writing.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "command_line.hpp"

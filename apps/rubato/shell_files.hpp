@@ -2,10 +2,12 @@
 /// Man pages and completions, made of the declared command line, so that neither can differ from --help.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace rubato::app {
 

@@ -3,12 +3,15 @@
 #include "rubato/domain/assembly.hpp"
 #include "rubato/domain/recovery.hpp"
 #include "rubato/linalg/block_matrix.hpp"
+#include "rubato/model/model.hpp"
+#include "rubato/study/study.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support/model_of.hpp"
 #include <random>
+#include <tuple>
 
 namespace rubato::domain::assembly_test {
 namespace {
@@ -17,7 +20,7 @@ constexpr std::array more_threads{2, 3, 5};
 
 /// Two materials, and nodes that are moved a little, so that all cells differ.
 model::Model shaken_box(const std::string& cells, int n, const std::string& law = "") {
-  auto model = test::model_of(fmt::format(R"(
+  auto model = model::build_model(test::study_of(fmt::format(R"(
 mesh: {{generate: [{{name: a, box: {{from: [0, 0, 0], to: [1, 1, 1]}}, divisions: [{0}, {0}, {0}], cells: {1}}},
                   {{name: b, box: {{from: [3, 0, 0], to: [4, 1, 1]}}, divisions: [{0}, {0}, {0}], cells: {1}}}]}}
 physics: solid
@@ -26,7 +29,7 @@ materials:
   brass: {{young: 100e9, poisson: 0.35, density: 8500, cells: b{2}}}
 time: {{scheme: newmark, step: 1e-5, end: 1e-5}}
 )",
-                                          n, cells, law));
+                                                             n, cells, law)));
   std::mt19937 random(11);
   std::uniform_real_distribution<double> move(-0.05 / n, 0.05 / n);
   for (auto& point : model.mesh.points)

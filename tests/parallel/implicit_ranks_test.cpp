@@ -2,7 +2,9 @@
 // Implicit simulations that ranks share against those of one. Every iteration solves the whole system: the
 // factor of many ranks needs processes (tests/ranks).
 #include "rubato/core/error.hpp"
+#include "rubato/deck/read.hpp"
 #include "rubato/domain/rank_parts.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/step/told_state.hpp"
 
 #include "near_simulations.hpp"

@@ -2,7 +2,7 @@
 /// What simulations that ranks share are held against one of a process alone by.
 #pragma once
 
-#include "rubato/simulation/simulation.hpp"
+#include "rubato/simulation/time_integration.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Explicit simulations that ranks share against those of one.
+#include "rubato/model/model.hpp"
+
 #include "near_simulations.hpp"
 #include "pressed_blocks.hpp"
 #include "support/simulated_blocks.hpp"

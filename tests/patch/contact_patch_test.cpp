@@ -2,6 +2,7 @@
 /// Uniform pressure through an interface. On conforming meshes every cell passes: the nodal and Gauss rules
 /// of the contact faces integrate their shape functions exactly.
 #include "rubato/cell/parts.hpp"
+#include "rubato/core/error.hpp"
 #include "rubato/mesh/convert.hpp"
 
 #include <gtest/gtest.h>

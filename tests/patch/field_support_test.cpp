@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // The patch test with displacements of the boundary that are expressions of place and time.
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -66,7 +67,7 @@ protected:
 };
 
 TEST_P(EveryCellWhoseBoundaryIsMoved, FollowsALinearField) {
-  test::Walk walk(model::build_model(study(), mesh_));
+  test::Walk walk(study(), mesh_);
   ASSERT_TRUE(walk.to_end());
   double error = 0;
   for (const auto node : walk.model.dofs.nodes) {

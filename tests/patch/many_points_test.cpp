@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// So many points touch at once that what they do to one another is not formed: the contact patch test
 /// (contact_blocks.hpp) between two plates whose cells do not match.
+#include "rubato/contact/zone.hpp"
 #include "rubato/step/interface/interface_newton_system.hpp"
 
 #include <gtest/gtest.h>

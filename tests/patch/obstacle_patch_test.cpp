@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// A block of side 1 (a disc, when axisymmetric) on rollers, pressed by 0.05 with a rigid plane: with E = 2e6
 /// and ν = 0 the pressure is 1e5 everywhere, whatever the cells.
+#include "rubato/contact/zone.hpp"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

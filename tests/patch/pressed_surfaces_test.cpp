@@ -2,6 +2,8 @@
 /// A block pressed on a larger or a curved one, by a load: contact carries the load, whatever the cells,
 /// where the surfaces touch, and nothing elsewhere.
 #include "rubato/contact/nodal_pressure.hpp"
+#include "rubato/deck/read.hpp"
+#include "rubato/model/build_model.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -149,7 +151,7 @@ TEST_P(PressedBlocks, StandOnACurvedMaster) {
       deck::parse_deck(deck_of(GetParam(), "master: below, slave: above, integration: nodes"), "deck.yaml")
           .runs.front();
   for (const bool ball : {false, true}) {
-    Walk walk(model::build_model(study, curved(model::load_mesh(study.mesh), ball)));
+    Walk walk(study, curved(model::load_mesh(study.mesh), ball));
     ASSERT_TRUE(walk.to_end());
     const double sunk = ball && is_solid(GetParam()) ? 0.0347 : 0.0261;
     EXPECT_GT(expect_contact(walk, 1, sunk).apart, 0) << "the master curves away";

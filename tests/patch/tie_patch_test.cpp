@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// The patch test of ties: through surfaces whose meshes do not match a linear field of displacements goes
 /// exactly, with its tractions.
+#include "rubato/contact/zone.hpp"
+#include "rubato/deck/read.hpp"
+#include "rubato/model/build_model.hpp"
+
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "patch/cell_pairs.hpp"
 #include "patch/contact_blocks.hpp"
+#include "support/model_of.hpp"
+#include "support/walk.hpp"
 #include <array>
 #include <tuple>
 
@@ -83,8 +90,8 @@ private:
            (dimension == 3 && (is(x[2], 0) || is(x[2], 1)));
   }
 
-  static model::Model model_of(CellType above, CellType below, int upper, int lower,
-                               const std::string& solver) {
+  static test::BuiltModel model_of(CellType above, CellType below, int upper, int lower,
+                                   const std::string& solver) {
     const ContactBlocks blocks{above, upper, lower, 0, ", tie: true", 0, {}, below};
     const std::vector<deck::Setting> changes{{"materials.rubber.poisson", "0.3"}, {"solver", solver}};
     auto study = deck::parse_deck(test::deck_of(blocks), "deck.yaml", changes).runs.front();
@@ -100,7 +107,7 @@ private:
       for (int c = 0; c < mesh.dimension; ++c)
         support.components[static_cast<std::size_t>(c)] = study::Amplitude{u[c], ""};
     }
-    return model::build_model(study, std::move(mesh));
+    return test::BuiltModel(study, std::move(mesh));
   }
 
   test::Walk walk_;

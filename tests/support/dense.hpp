@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Decompositions that tests compare with, compiled once: each source that instantiates one of Eigen's compiles
-/// seconds longer.
+/// Decompositions that tests compare with, compiled once: each source that instantiates one of Eigen's
+/// compiles seconds longer.
 #pragma once
 
 #include <Eigen/Core>

@@ -2,15 +2,11 @@
 /// Studies of decks whose first material is made another one.
 #pragma once
 
-#include "rubato/deck/read.hpp"
+#include "rubato/study/study.hpp"
 
-#include <string_view>
+#include "support/model_of.hpp"
 
 namespace rubato::test {
-
-inline study::Study study_of(std::string_view deck) {
-  return deck::parse_deck(deck, "deck.yaml").runs.front();
-}
 
 /// von Mises' plasticity with R = yield_stress + modulus p.
 inline void make_plastic(study::Material& material, double yield_stress, double modulus,

@@ -2,22 +2,23 @@
 /// The simulation of a deck, everything that a step leaves behind at hand.
 #pragma once
 
+#include "rubato/deck/setting.hpp"
 #include "rubato/mesh/mesh.hpp"
-#include "rubato/model/model.hpp"
-#include "rubato/results/nodal_fields.hpp"
-#include "rubato/simulation/simulation.hpp"
-#include "rubato/step/advance.hpp"
-#include "rubato/step/full/linear_step.hpp"
-#include "rubato/step/start.hpp"
-#include "rubato/time/step_control.hpp"
+#include "rubato/results/resultants.hpp"
+#include "rubato/simulation/time_integration.hpp"
+#include "rubato/step/report.hpp"
+#include "rubato/step/state.hpp"
+#include "rubato/time/scheme.hpp"
+
+#include <Eigen/Core>
 
 #include "support/model_of.hpp"
-#include <algorithm>
+#include "support/model_parts.hpp"
+#include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string_view>
-#include <utility>
-#include <variant>
 #include <vector>
 
 namespace rubato::test {
@@ -31,92 +32,47 @@ class Walk {
     int deepest_cut = 0;
   };
   std::unique_ptr<Told> told_ = std::make_unique<Told>();
+  std::optional<BuiltModel> given_; ///< unless the simulation owns the model
 
 public:
-  explicit Walk(std::string_view deck, const std::vector<deck::Setting>& changes = {})
-      : Walk(model_of(deck, changes)) {}
-
+  explicit Walk(std::string_view deck, const std::vector<deck::Setting>& changes = {});
   /// `previous`: the end of the run that the study starts from, when it does.
-  explicit Walk(model::Model given, const step::State* previous = nullptr)
-      : simulation(std::move(given), {.previous = previous}), model(simulation.model()),
-        scheme(time::make_scheme(model.study.time)) {
-    simulation.observe(
-        {.accepted =
-             [told = told_.get()](const simulation::AcceptedStep& step) {
-               told->before = step.before;
-               told->reports.push_back(step.report);
-               told->deepest_cut = std::max(told->deepest_cut, step.attempt.cut_level);
-             },
-         .rejected = [told = told_.get()](
-                         const simulation::RejectedStep& step) { told->reports.push_back(step.report); }});
-  }
+  explicit Walk(const study::Study& study, const step::State* previous = nullptr);
+  Walk(const study::Study& study, mesh::Mesh mesh);
+  explicit Walk(model::Model given, const step::State* previous = nullptr);
+  explicit Walk(BuiltModel given);
 
   /// Steps to the next instant of the list, cutting when it must; false when that doesn't help.
-  bool advance() {
-    do {
-      if (!simulation.advance().accepted())
-        return false;
-      if (accepted)
-        accepted();
-    } while (!finished() && simulation.next().cut_level > 0);
-    return true;
-  }
-
-  bool to_end() {
-    while (!finished())
-      if (!advance())
-        return false;
-    return true;
-  }
-
+  bool advance();
+  bool to_end();
   /// Goes on from there.
-  void stand_at(step::State now) {
-    auto memento = simulation.memento();
-    memento.state = std::move(now);
-    simulation.restore(memento);
-  }
+  void stand_at(step::State now);
 
   bool finished() const { return simulation.finished(); }
   /// The last accepted one.
   const step::State& state() const { return simulation.state(); }
   /// The end of the next step, and its length.
   double target() const { return simulation.next().end; }
-  double length() const {
-    time::StepControl control(model.study.time, state().t);
-    control.go_on(std::get<simulation::ImplicitProgress>(simulation.memento().progress).place);
-    return control.length();
-  }
+  double length() const;
 
-  double displacement(mesh::NodeIndex node, int component) const {
-    return state().motion.u[model.dofs.dof(node, component)];
-  }
-  mesh::NodeIndex node_at(double x, double y, double z = 0) const {
-    for (const auto node : model.dofs.nodes)
-      if ((model.mesh.points[static_cast<std::size_t>(node)] - Eigen::Vector3d(x, y, z)).norm() < 1e-9)
-        return node;
-    return -1;
-  }
-  results::Resultants resultants(std::size_t zone = 0) const {
-    return results::contact_resultants(state().zones[zone]);
-  }
+  double displacement(mesh::NodeIndex node, int component) const;
+  mesh::NodeIndex node_at(double x, double y, double z = 0) const;
+  results::Resultants resultants(std::size_t zone = 0) const;
   /// λ of the i-th slave node.
-  double pressure(std::size_t i, std::size_t zone = 0) const {
-    return state()
-        .zones[zone]
-        .multipliers[static_cast<Eigen::Index>(i) * model.zones[zone].multipliers_per_node()];
-  }
-  const Eigen::Vector3d& slave_point(std::size_t i, std::size_t zone = 0) const {
-    return model.mesh.points[static_cast<std::size_t>(model.zones[zone].slave.nodes[i])];
-  }
-  std::size_t slave_count(std::size_t zone = 0) const { return model.zones[zone].slave.nodes.size(); }
+  double pressure(std::size_t i, std::size_t zone = 0) const;
+  const Eigen::Vector3d& slave_point(std::size_t i, std::size_t zone = 0) const;
+  std::size_t slave_count(std::size_t zone = 0) const;
 
   simulation::Simulation simulation;
-  const model::Model& model;
+  const ModelParts model;
   time::Scheme scheme;
   const step::State& before = told_->before;                     ///< the state before the last step
   const std::vector<step::StepReport>& reports = told_->reports; ///< of every attempt
   const int& deepest_cut = told_->deepest_cut;                   ///< halvings of the shortest accepted step
   std::function<void()> accepted; ///< called after every accepted step, cut ones too
+
+private:
+  void observe();
 };
 
 } // namespace rubato::test

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "support/model_of.hpp"
 #include "support/shared_files.hpp"
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,7 @@ std::vector<BeamModes> beams_with_modes() {
 
 modes::Modes computed_modes(const BeamModes& beam) {
   const auto study = deck::parse_deck(deck_of(beam), "beam.yaml").runs.front();
-  return modes::modes_of(model::build_model(modes::modal_study(study)), {.number = 10});
+  return modes::modes_of(test::BuiltModel(modes::modal_study(study)), {.number = 10});
 }
 
 std::optional<std::vector<double>> reference_frequencies(const BeamModes& beam) {

@@ -6,6 +6,7 @@
 #include "rubato/mesh/made_groups.hpp"
 #include "rubato/model/model.hpp"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

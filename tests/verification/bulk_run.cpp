@@ -2,9 +2,11 @@
 #include "verification/bulk_run.hpp"
 
 #include "rubato/deck/read.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/results/cell_fields.hpp"
 #include "rubato/results/probe_values.hpp"
 
+#include "support/model_of.hpp"
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -26,9 +28,9 @@ study::Study study_of(std::string_view deck) {
   return deck::parse_deck(deck, "benchmark.yaml").runs.front();
 }
 
-model::Model shaped_model(std::string_view deck, const MeshShape& shape) {
+test::BuiltModel shaped_model(std::string_view deck, const MeshShape& shape) {
   const auto study = study_of(deck);
-  return model::build_model(study, shaped_mesh(study, shape));
+  return test::BuiltModel(study, shaped_mesh(study, shape));
 }
 
 } // namespace
@@ -36,7 +38,7 @@ model::Model shaped_model(std::string_view deck, const MeshShape& shape) {
 BulkRun::BulkRun(std::string_view deck, const MeshShape& shape) : walk_(shaped_model(deck, shape)) {}
 
 BulkRun::BulkRun(std::string_view deck, mesh::Mesh mesh)
-    : walk_(model::build_model(study_of(deck), std::move(mesh))) {}
+    : walk_(test::BuiltModel(study_of(deck), std::move(mesh))) {}
 
 void BulkRun::go_to(double t) {
   while (walk_.state().t < t - time_tolerance * std::abs(t))

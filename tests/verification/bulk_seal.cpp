@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "verification/bulk_seal.hpp"
 
+#include "rubato/domain/bulk.hpp"
 #include "rubato/mesh/builder.hpp"
 
 #include <fmt/format.h>

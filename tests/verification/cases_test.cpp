@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// The decks of cases/ run to their ends, from preloads where they ask for it, and their checks hold.
 #include "rubato/deck/read.hpp"
-#include "rubato/run/time_loop.hpp"
+#include "rubato/run/run_study.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,11 +2,15 @@
 /// V11: the first mode of a clamped beam, how a run moves it, and the closed forms of theory.
 #pragma once
 
-#include "rubato/run/time_loop.hpp"
+#include "rubato/constraint/reduction.hpp"
+#include "rubato/deck/read.hpp"
+#include "rubato/domain/domain.hpp"
+#include "rubato/run/run_study.hpp"
 
 #include <Eigen/Core>
 
 #include "support/dense.hpp"
+#include "support/model_parts.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/walk.hpp"
 #include <algorithm>
@@ -31,7 +35,7 @@ struct Mode {
 };
 
 /// By a dense generalized eigenvalue solution.
-inline Mode first_mode(const model::Model& model) {
+inline Mode first_mode(const test::ModelParts& model) {
   const auto& free = model.reduction.free_dofs();
   const MatrixXd k = MatrixXd(model.domain.initial_tangent())(free, free);
   const MatrixXd m = MatrixXd(model.mass)(free, free);
@@ -58,7 +62,7 @@ public:
   }
 
   Vibration vibration(const std::string& name) const {
-    test::Walk walk(model::build_model(study(name)), &bent_.end);
+    test::Walk walk(study(name), &bent_.end);
     const auto mode = first_mode(walk.model);
     Vibration result{mode.omega, study(name).time.step, walk.scheme, {}};
     result.amplitude.push_back(mode.mass_times_shape.dot(walk.state().motion.u));

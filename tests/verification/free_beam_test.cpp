@@ -2,8 +2,10 @@
 /// V11, cases/v11_free_beam: a clamped beam is bent and let go. Its first mode, found by a dense eigenvalue
 /// solution of its own, must move as the closed-form amplification of the scheme says, and be the mode of
 /// beam theory.
+
 #include <gtest/gtest.h>
 
+#include "support/model_of.hpp"
 #include "verification/free_beam.hpp"
 #include <numbers>
 
@@ -16,7 +18,7 @@ protected:
 };
 
 TEST_F(FreeBeam, HasTheFirstFrequencyOfTimoshenkosBeam) {
-  const double omega = first_mode(model::build_model(beam_.study("newmark"))).omega;
+  const double omega = first_mode(test::BuiltModel(beam_.study("newmark"))).omega;
   EXPECT_NEAR(omega, timoshenko, 1e-3 * timoshenko);
   EXPECT_LT(omega, bernoulli);
   RecordProperty("frequency", std::to_string(omega / (2 * std::numbers::pi)));

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "verification/hertz.hpp"
 
-#include "rubato/model/model.hpp"
+#include "rubato/contact/zone.hpp"
 
 #include <Eigen/Core>
 
 #include "support/dense.hpp"
+#include "support/model_of.hpp"
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -41,7 +42,7 @@ double largest_pressure(const std::vector<SurfacePoint>& points) {
 }
 
 std::vector<SurfacePoint> surface_at_end(const CaseRun& run) {
-  const auto model = model::build_model(run.study);
+  const test::BuiltModel model(run.study);
   const auto& zone = model.zones.front();
   const auto& state = run.result.end.zones.front();
   std::vector<SurfacePoint> points;

@@ -4,7 +4,7 @@
 
 #include "rubato/deck/read.hpp"
 #include "rubato/results/csv.hpp"
-#include "rubato/run/time_loop.hpp"
+#include "rubato/run/run_study.hpp"
 
 #include <filesystem>
 #include <optional>

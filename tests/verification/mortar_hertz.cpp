@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "verification/mortar_hertz.hpp"
 
+#include "rubato/model/build_model.hpp"
+
 #include <fmt/format.h>
 
 #include "support/walk.hpp"
@@ -172,7 +174,7 @@ HertzErrors press_round(const RoundOnBlock& bodies) {
   const auto block = grid_of(coarser * fine, solid);
   const double start = processor_seconds();
   const auto study = deck::parse_deck(deck_of(bodies, round, block), "deck.yaml", {}).runs.front();
-  test::Walk walk(model::build_model(study, shaped(model::load_mesh(study.mesh), round, block)));
+  test::Walk walk(study, shaped(model::load_mesh(study.mesh), round, block));
   HertzErrors errors;
   const bool complete = walk.to_end();
   errors.seconds = processor_seconds() - start;

@@ -2,9 +2,13 @@
 #include "verification/mortar_patch.hpp"
 
 #include "rubato/contact/mortar/operators.hpp"
+#include "rubato/deck/read.hpp"
+#include "rubato/model/model.hpp"
+#include "rubato/step/report.hpp"
 
 #include "patch/contact_blocks.hpp"
 #include "support/patch_mesh.hpp"
+#include "support/walk.hpp"
 #include <algorithm>
 #include <cmath>
 #include <numbers>

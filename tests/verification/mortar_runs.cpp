@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "verification/mortar_runs.hpp"
 
+#include "rubato/deck/read.hpp"
+#include "rubato/model/build_model.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -118,7 +121,7 @@ PressureErrors shrink_in_space(const SolidRing& fit) {
   const auto study = deck::parse_deck(deck_of(fit), "deck.yaml", no_cuts).runs.front();
   auto mesh = model::load_mesh(study.mesh);
   bend(mesh);
-  test::Walk walk(model::build_model(study, std::move(mesh)));
+  test::Walk walk(study, std::move(mesh));
   errors.converged = walk.to_end();
   if (errors.converged)
     take_all(
@@ -182,7 +185,7 @@ newton: {{residual: 1e-12}}
   const auto study = deck::parse_deck(deck, "deck.yaml", no_cuts).runs.front();
   auto mesh = model::load_mesh(study.mesh);
   halve(mesh, "roof");
-  test::Walk walk(model::build_model(study, std::move(mesh)));
+  test::Walk walk(study, std::move(mesh));
   HalfLoaded result;
   if (!walk.to_end()) {
     result.failure = step::to_string(walk.reports.back().outcome);

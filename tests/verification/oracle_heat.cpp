@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "verification/oracle_heat.hpp"
 
+#include "rubato/domain/dof_map.hpp"
+#include "rubato/mesh/mesh.hpp"
 #include "rubato/mesh/names.hpp"
+#include "rubato/study/study.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "verification/oracle_solids.hpp"
 
+#include "rubato/domain/dof_map.hpp"
+#include "rubato/mesh/mesh.hpp"
 #include "rubato/mesh/names.hpp"
 
 #include <fmt/format.h>

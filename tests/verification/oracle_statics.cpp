@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "support/model_parts.hpp"
 #include "support/shared_files.hpp"
 #include "support/walk.hpp"
 #include <algorithm>
@@ -132,7 +133,7 @@ std::vector<Row> rows_of(const std::filesystem::path& file, int dimension) {
   return rows;
 }
 
-mesh::NodeIndex node_at(const model::Model& model, const Eigen::Vector3d& place) {
+mesh::NodeIndex node_at(const test::ModelParts& model, const Eigen::Vector3d& place) {
   const auto distance = [&](mesh::NodeIndex node) {
     return (model.mesh.points[static_cast<std::size_t>(node)] - place).norm();
   };

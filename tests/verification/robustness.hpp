@@ -3,7 +3,7 @@
 /// nobody would choose them all, with nothing helped along. The same seed gives the same variants everywhere.
 #pragma once
 
-#include "rubato/run/time_loop.hpp"
+#include "rubato/run/run_study.hpp"
 #include "rubato/study/study.hpp"
 
 #include <algorithm>

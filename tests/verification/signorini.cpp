@@ -2,10 +2,13 @@
 #include "verification/signorini.hpp"
 
 #include "rubato/cell/reference_cell.hpp"
-#include "rubato/model/model.hpp"
+#include "rubato/domain/bulk.hpp"
+#include "rubato/domain/domain.hpp"
 
 #include <fmt/format.h>
 
+#include "support/model_of.hpp"
+#include "support/model_parts.hpp"
 #include "verification/case_runs.hpp"
 #include "verification/hertz.hpp"
 #include <algorithm>
@@ -21,11 +24,11 @@ using Eigen::VectorXd;
 class Pressed {
 public:
   Pressed(CellType cells, int divisions, const std::string& integration = "nodes")
-      : run_(pressed(cells, divisions, integration)), model_(model::build_model(run_.study)),
+      : run_(pressed(cells, divisions, integration)), model_(test::BuiltModel(run_.study)),
         divisions_(divisions) {}
 
   const CaseRun& run() const { return run_; }
-  const model::Model& model() const { return model_; }
+  const test::ModelParts& model() const { return model_; }
   const VectorXd& displacement() const { return run_.result.end.motion.u; }
 
   /// The displacement at a point of the unit square.
@@ -60,11 +63,11 @@ private:
   }
 
   CaseRun run_;
-  model::Model model_;
+  test::BuiltModel model_;
   int divisions_;
 };
 
-double energy(const model::Model& model, const VectorXd& u) {
+double energy(const test::ModelParts& model, const VectorXd& u) {
   return u.dot(model.domain.initial_tangent() * u);
 }
 

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "rubato/deck/read.hpp"
-#include "rubato/run/time_loop.hpp"
+#include "rubato/run/run_study.hpp"
 
 #include "verification/dice.hpp"
 #include <array>

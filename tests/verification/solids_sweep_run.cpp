@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/model/model.hpp"
 #include "rubato/results/csv.hpp"
+#include "rubato/step/report.hpp"
 
 #include <fmt/format.h>
 

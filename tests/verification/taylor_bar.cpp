@@ -3,9 +3,13 @@
 
 #include "rubato/core/processor_time.hpp"
 #include "rubato/deck/read.hpp"
+#include "rubato/domain/bulk.hpp"
 #include "rubato/mesh/builder.hpp"
-#include "rubato/simulation/simulation.hpp"
+#include "rubato/model/build_model.hpp"
+#include "rubato/simulation/time_integration.hpp"
 
+#include "support/model_of.hpp"
+#include "support/model_parts.hpp"
 #include "verification/quarter_disc.hpp"
 #include <algorithm>
 #include <array>
@@ -94,11 +98,11 @@ mesh::Mesh quarter_mesh() {
 }
 
 /// The axis the rod stands along.
-Eigen::Index axis_of(const model::Model& model) {
+Eigen::Index axis_of(const test::ModelParts& model) {
   return model.dofs.components - 1;
 }
 
-void measure_shape(const model::Model& model, const Eigen::VectorXd& u, TaylorResult& result) {
+void measure_shape(const test::ModelParts& model, const Eigen::VectorXd& u, TaylorResult& result) {
   for (const auto node : model.dofs.nodes) {
     Vector3d x = model.mesh.points[static_cast<std::size_t>(node)];
     x.head(model.dofs.components) += u.segment(model.dofs.dof(node, 0), model.dofs.components);
@@ -123,8 +127,9 @@ TaylorBar taylor_bar(TaylorMesh mesh, TaylorWall wall, study::Formulation formul
 }
 
 TaylorResult run(TaylorBar bar) {
-  simulation::Simulation simulation(model::build_model(bar.study, std::move(bar.mesh)));
-  const auto& model = simulation.model();
+  const test::BuiltModel built(bar.study, std::move(bar.mesh));
+  simulation::Simulation simulation(built);
+  const test::ModelParts model(simulation.model());
   const double whole = bar.study.physics == study::Physics::solid ? 4 : 1;
   TaylorResult result;
   step::EnergyRecord record;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+
 #include <fmt/format.h>
 
 #include "patch/contact_blocks.hpp"
+#include "support/model_of.hpp"
 #include "verification/free_beam.hpp"
 #include "verification/verify.hpp"
 #include <array>
@@ -62,7 +64,7 @@ void write_contact_patch(const std::filesystem::path& folder) {
 void write_free_beam(const std::filesystem::path& folder) {
   const FreeBeamRuns beam;
   Page page(folder / "v11.md", "V11: free vibration of one beam");
-  const double omega = first_mode(model::build_model(beam.study("newmark"))).omega;
+  const double omega = first_mode(test::BuiltModel(beam.study("newmark"))).omega;
   page.paragraph(
       fmt::format("First frequency of the mesh of cases/v11_free_beam (QUAD9, 20 × 2 cells): {:.4f} Hz; "
                   "Timoshenko's beam {:.4f} Hz ({:+.1e}), Bernoulli's {:.4f} Hz ({:+.1e}).",

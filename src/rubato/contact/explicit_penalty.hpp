@@ -14,6 +14,7 @@
 #pragma once
 
 #include "rubato/contact/enforcement.hpp"
+#include "rubato/contact/explicit_memory.hpp"
 #include "rubato/contact/law.hpp"
 #include "rubato/contact/neighbours.hpp"
 #include "rubato/contact/zone.hpp"
@@ -36,24 +37,8 @@ std::vector<double> penalty_stiffness(const Zone& zone, const domain::DofMap& do
 /// One zone's springs and what they carry from step to step.
 class ExplicitPenalty {
 public:
-  /// What a point keeps from step to step.
-  struct Spring {
-    Status status = Status::open;
-    bool paired = true;    ///< at the end of the last step; in the first one no gap has an offset
-    double gap_offset = 0; ///< g₀ ≤ 0
-    double gap = 0;
-    double pressure = 0;
-    double tangential_stiffness = 0;
-    Eigen::Vector3d slip = Eigen::Vector3d::Zero();     ///< elastic [length]
-    Eigen::Vector3d traction = Eigen::Vector3d::Zero(); ///< tangential, on the slave [pressure]
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-    Eigen::Vector2d slip_on_tangents = Eigen::Vector2d::Zero(); ///< of the last step
-  };
-  /// All that the zone carries from step to step.
-  struct Memory {
-    std::vector<Spring> springs;                   ///< one a contact point
-    std::vector<FrictionHistory> friction_history; ///< one a contact point
-  };
+  using Spring = ExplicitSpring;
+  using Memory = ExplicitZoneMemory;
 
   /// k_t is k_n or, where the deck gives c_t [1/length], μ p c_t if that is less: then friction saturates at
   /// the slip 1/c_t. `dofs` and `zone` must outlive this.

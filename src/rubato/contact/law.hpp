@@ -13,6 +13,7 @@
 #pragma once
 
 #include "rubato/contact/exponential.hpp"
+#include "rubato/contact/status.hpp"
 #include "rubato/study/study.hpp"
 
 #include <Eigen/Core>
@@ -22,10 +23,6 @@
 #include <string_view>
 
 namespace rubato::contact {
-
-enum class Status : std::uint8_t { open, stick, slip };
-
-std::string_view to_string(Status status);
 
 /// The variables of a point, in this order: g, Δs₁, Δs₂, λ, Λ₁, Λ₂.
 struct PointState {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rubato/deck/places.hpp"
+#include "rubato/deck/setting.hpp"
 #include "rubato/study/study.hpp"
 
 #include <filesystem>
@@ -12,12 +13,6 @@
 #include <vector>
 
 namespace rubato::deck {
-
-/// One change from the command line, `--set time.step=1e-4`.
-struct Setting {
-  std::string path;  ///< keys and list indexes (from 0) joined by dots: "loads.0.nodal_force.y"
-  std::string value; ///< YAML; empty or `~` removes the key
-};
 
 /// Splits "path=value". Throws InputError when there is no path or no "=".
 Setting parse_setting(std::string_view argument);

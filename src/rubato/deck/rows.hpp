@@ -5,33 +5,28 @@
 #include "rubato/deck/values.hpp"
 #include "rubato/study/number.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace rubato::deck {
 
-/// "hht takes it", "hht and newmark take it": the rows that have a number of that key.
+/// "hht takes it", "hht and newmark take it".
+std::string takers_text(std::vector<std::string_view> names);
+
+/// The rows that have a number of that key.
 template <class Rows> std::string takers_of(const Rows& rows, std::string_view key) {
   std::vector<std::string_view> names;
   for (const auto& row : rows)
     if (study::takes(row, key))
       names.push_back(row.name);
-  const auto last = names.back();
-  names.pop_back();
-  return names.empty() ? fmt::format("{} takes it", last)
-                       : fmt::format("{} and {} take it", fmt::join(names, ", "), last);
+  return takers_text(std::move(names));
 }
 
 /// A key that other rows take: a fault that names them. `noun`: "the scheme", what a row is.
-inline void refuse_of_others(MapReader& map, std::string_view key, std::string_view noun,
-                             std::string_view name, std::string_view takers) {
-  map.refuse(key,
-             fmt::format("{} {} takes no {}, {}; a run removes it by '{}: ~'", noun, name, key, takers, key));
-}
+void refuse_of_others(MapReader& map, std::string_view key, std::string_view noun, std::string_view name,
+                      std::string_view takers);
 
 /// Refuses the numbers that only other rows take.
 template <class Rows, class Row>

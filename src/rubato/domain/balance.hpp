@@ -11,24 +11,13 @@
 /// linear in the elastic strain.
 #pragma once
 
+#include "rubato/domain/balance_terms.hpp"
 #include "rubato/element/nonlinear.hpp"
 #include "rubato/material/point_law.hpp"
 
 #include <span>
 
 namespace rubato::domain {
-
-/// Energies [force · length].
-struct Balance {
-  double plastic = 0;     ///< dissipated by plastic strain; what hardening of the yield stress takes, too
-  double back_stress = 0; ///< what back stresses store more than at the start
-  double viscous = 0;     ///< dissipated by Prony series
-  /// Σ w ({P}:[F] − {stress}:[strain + free]) at finite strain, of hyperelastic laws Σ w ({P}:[F] − [stored])
-  /// + heat: the work over the step is not what the laws have it to be at its ends. Of third order in the
-  /// step.
-  double scheme = 0;
-  double heat = 0; ///< put into the cells by what expands freely
-};
 
 void add(const Balance& part, Balance& sum);
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rubato/domain/assembly.hpp"
+#include "rubato/domain/cell_failure.hpp"
 #include "rubato/domain/law_path.hpp"
 #include "rubato/element/nonlinear.hpp"
 
@@ -58,14 +59,5 @@ struct Wanted {
 /// Makes of what the cells of each rank add to a vector the whole one, on all ranks; none where this one has
 /// all cells.
 using AddUp = std::function<void(Eigen::VectorXd&)>;
-
-/// A cell that has no forces at the end of a step: then nothing that was written has a meaning, and forces
-/// are not finite.
-struct CellFailure {
-  element::Failure reason = element::Failure::none;
-  mesh::CellIndex cell = -1;
-  int point = -1; ///< of the cell; −1: none of its own
-};
-using Failed = std::optional<CellFailure>;
 
 } // namespace rubato::domain

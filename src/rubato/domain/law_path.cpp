@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/domain/law_path.hpp"
 
+#include "rubato/domain/balance.hpp"
+#include "rubato/domain/path_part.hpp"
+#include "rubato/material/point_law.hpp"
+
 namespace rubato::domain {
 
 void go_along(const material::PointLaw& law, const CellEnd& now, std::span<const double> old_states,

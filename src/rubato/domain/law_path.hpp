@@ -3,11 +3,11 @@
 /// each evaluation leaves what the next one needs of it. Notation of balance.hpp.
 #pragma once
 
-#include "rubato/domain/balance.hpp"
+#include "rubato/domain/balance_terms.hpp"
+#include "rubato/material/point_response.hpp"
 
 #include <Eigen/Core>
 
-#include <span>
 #include <vector>
 
 namespace rubato::domain {
@@ -34,18 +34,5 @@ struct LawPath {
   /// What {f}·[u] exceeds it by is Balance::scheme.
   double law_work = 0;
 };
-
-/// What one cell adds to a path.
-struct PathPart {
-  double stored = 0;
-  double elsewhere = 0;
-  Balance taken;
-  double law_work = 0; ///< but for what `elsewhere` changes by
-};
-
-/// Adds what happened at the points of one cell since `points`, which go on to `now`.
-void go_along(const material::PointLaw& law, const CellEnd& now, std::span<const double> old_states,
-              std::span<LawPoint> points, PathPart& part);
-void add(const PathPart& part, LawPath& path);
 
 } // namespace rubato::domain

@@ -20,6 +20,8 @@
 
 namespace rubato::domain {
 
+struct PathPart;
+
 class NonlinearCells {
 public:
   NonlinearCells() = default;

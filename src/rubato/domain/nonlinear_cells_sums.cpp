@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Forces and tangents of cells, and what these add to the whole.
 #include "rubato/domain/nonlinear_cells.hpp"
+#include "rubato/domain/path_part.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/domain/quadrature_states.hpp"
 
+#include "rubato/domain/bulk.hpp"
+#include "rubato/element/nonlinear.hpp"
+
 namespace rubato::domain {
 
 std::size_t state_size(const mesh::Mesh& mesh, const Bulk& bulk, std::size_t cell) {

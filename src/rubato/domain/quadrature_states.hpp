@@ -2,11 +2,15 @@
 /// What materials remember at quadrature points.
 #pragma once
 
-#include "rubato/domain/bulk.hpp"
+#include "rubato/element/point_record.hpp"
+#include "rubato/mesh/mesh.hpp"
 
+#include <cstddef>
 #include <vector>
 
 namespace rubato::domain {
+
+struct Bulk;
 
 struct QuadratureStates {
   /// Of each cell that has a behaviour (Bulk::behaviour), in the order of Bulk::cells: as many numbers as it

@@ -20,7 +20,9 @@
 #pragma once
 
 #include "rubato/element/element.hpp"
+#include "rubato/element/failure.hpp"
 #include "rubato/element/point_laws.hpp"
+#include "rubato/element/point_record.hpp"
 
 #include <Eigen/Core>
 
@@ -67,21 +69,6 @@ int mode_count(const CellKind& kind);
 /// Numbers that a cell remembers: the states of its points, then its own unknowns. They are 0 at first.
 int state_size_of_cell(const CellKind& kind, int law_state_size);
 
-/// What there is to know at a point, for fields and for the balance of energy.
-struct PointRecord {
-  double volume = 0;        ///< weight of the point, measure included
-  double stored = 0;        ///< by undeformed volume
-  material::Strain6 strain; ///< what the law saw, without the free one
-  material::Strain6 free;   ///< CellInput::free_strain there
-  material::Stress6 stress; ///< conjugate to it
-  material::Stress6 cauchy; ///< true stress P Fᵀ/J of what the law saw; plane stress: by undeformed
-                            ///< thickness
-  Eigen::Matrix3d gradient; ///< ∂u/∂X with the strain of the cell's own modes; zz is 0 in the plane
-  Eigen::Matrix3d piola;    ///< P_c: Σ volume · P_c : d(gradient) is f·du, less what hourglasses take
-
-  bool operator==(const PointRecord&) const = default;
-};
-
 /// How far the cell's own unknowns are solved.
 struct ModeIteration {
   double relative = 1e-11; ///< forces on the modes by the larger of `force` and the cell's own
@@ -107,14 +94,6 @@ struct CellOutput {
   std::span<double> tangent; ///< square of nodes · d, symmetric (of a law whose tangent is not: its
                              ///< symmetric part)
   std::span<PointRecord> records = {}; ///< one a point
-};
-
-enum class Failure {
-  none,
-  inverted,       ///< J ≤ 0
-  law,            ///< the law has no response
-  mode_iteration, ///< no end of the iteration for the cell's own unknowns
-  not_finite      ///< a force that is no number
 };
 
 struct CellResult {

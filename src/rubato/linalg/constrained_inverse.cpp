@@ -3,6 +3,8 @@
 
 #include "rubato/linalg/dense_cholesky.hpp"
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
@@ -58,6 +60,13 @@ SparseMatrix chosen_columns(const SparseMatrix& matrix, const std::vector<int>& 
 
 } // namespace
 
+struct ConstrainedInverse::Dense {
+  Eigen::LLT<MatrixXd> schur;   ///< of S
+  Eigen::LLT<MatrixXd> lengths; ///< of Cᵀ C
+};
+
+ConstrainedInverse::ConstrainedInverse(CholeskyFactor factor) : factor_(std::move(factor)) {}
+
 std::optional<ConstrainedInverse> ConstrainedInverse::of(const SparseMatrix& matrix,
                                                          const SparseMatrix& constraints) {
   if (constraints.cols() > 0 && constraints.rows() != matrix.rows())
@@ -72,8 +81,9 @@ std::optional<ConstrainedInverse> ConstrainedInverse::of(const SparseMatrix& mat
   const MatrixXd schur = schur_complement(inverse.factor_, constraints);
   const auto independent = independent_constraints(schur);
   inverse.constraints_ = chosen_columns(constraints, independent);
-  inverse.schur_.emplace(MatrixXd(schur(independent, independent)));
-  inverse.lengths_.emplace(MatrixXd(SparseMatrix(inverse.constraints_.transpose() * inverse.constraints_)));
+  inverse.dense_ = std::make_shared<const Dense>(Dense{
+      Eigen::LLT<MatrixXd>(MatrixXd(schur(independent, independent))),
+      Eigen::LLT<MatrixXd>(MatrixXd(SparseMatrix(inverse.constraints_.transpose() * inverse.constraints_)))});
   return inverse;
 }
 
@@ -81,7 +91,7 @@ template <class Vectors> Vectors ConstrainedInverse::solve_constrained(const Vec
   Vectors solution = factor_.solve(right_sides);
   if (constraints_.cols() == 0)
     return solution;
-  const MatrixXd reaction = schur_->solve(MatrixXd(constraints_.transpose() * solution));
+  const MatrixXd reaction = dense_->schur.solve(MatrixXd(constraints_.transpose() * solution));
   return factor_.solve(Vectors(right_sides - constraints_ * reaction));
 }
 
@@ -96,7 +106,7 @@ MatrixXd ConstrainedInverse::solve(const MatrixXd& right_sides) const {
 VectorXd ConstrainedInverse::without_reactions(const VectorXd& force) const {
   if (constraints_.cols() == 0)
     return force;
-  return force - constraints_ * lengths_->solve(VectorXd(constraints_.transpose() * force));
+  return force - constraints_ * dense_->lengths.solve(VectorXd(constraints_.transpose() * force));
 }
 
 } // namespace rubato::linalg

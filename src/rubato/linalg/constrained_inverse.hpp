@@ -4,9 +4,9 @@
 
 #include "rubato/linalg/direct_solver.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
+#include <memory>
 #include <optional>
 
 namespace rubato::linalg {
@@ -32,13 +32,15 @@ public:
   const SparseMatrix& constraints() const { return constraints_; }
 
 private:
-  explicit ConstrainedInverse(CholeskyFactor factor) : factor_(std::move(factor)) {}
+  /// Dense Cholesky factors.
+  struct Dense;
+
+  explicit ConstrainedInverse(CholeskyFactor factor);
   template <class Vectors> Vectors solve_constrained(const Vectors& right_sides) const;
 
   CholeskyFactor factor_;
   SparseMatrix constraints_;
-  std::optional<Eigen::LLT<Eigen::MatrixXd>> schur_;   ///< of S; none without constraints
-  std::optional<Eigen::LLT<Eigen::MatrixXd>> lengths_; ///< of Cᵀ C; likewise
+  std::shared_ptr<const Dense> dense_; ///< none without constraints
 };
 
 } // namespace rubato::linalg

@@ -4,8 +4,11 @@
 #include "rubato/linalg/blas.hpp"
 #include "rubato/linalg/blas_threads.hpp"
 
+#include <Eigen/LU>
+
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace rubato::linalg {
 namespace {
@@ -38,6 +41,17 @@ double reciprocal_condition(const MatrixXd& factors, double matrix_norm) {
 
 } // namespace
 
+struct DenseLu::Small {
+  explicit Small(MatrixXd& matrix) : lu(matrix) {}
+
+  Eigen::PartialPivLU<Eigen::Ref<MatrixXd>> lu;
+};
+
+DenseLu::DenseLu() = default;
+DenseLu::DenseLu(DenseLu&&) noexcept = default;
+DenseLu& DenseLu::operator=(DenseLu&&) noexcept = default;
+DenseLu::~DenseLu() = default;
+
 std::optional<DenseLu> DenseLu::of(MatrixXd matrix, const Threads& threads) {
   if (matrix.rows() != matrix.cols())
     throw std::invalid_argument("LU factors of a matrix that is not square");
@@ -52,8 +66,8 @@ std::optional<DenseLu> DenseLu::of(MatrixXd matrix, const Threads& threads) {
 bool DenseLu::factor_small() {
   if (factors_.rows() == 0)
     return true;
-  small_ = std::make_unique<Eigen::PartialPivLU<Eigen::Ref<MatrixXd>>>(factors_);
-  return beyond_doubt(factors_) || small_->rcond() > singular;
+  small_ = std::make_unique<Small>(factors_);
+  return beyond_doubt(factors_) || small_->lu.rcond() > singular;
 }
 
 bool DenseLu::factor_large(const Threads& threads) {
@@ -74,7 +88,7 @@ Eigen::VectorXd DenseLu::solve(Eigen::VectorXd right_side) const {
   if (right_side.size() != size)
     throw std::invalid_argument("a right side of another size than the factored matrix");
   if (small_)
-    return small_->solve(right_side);
+    return small_->lu.solve(right_side);
   const int one = 1;
   int info = 0;
   if (size > 0)

@@ -6,7 +6,6 @@
 #include "rubato/core/threads.hpp"
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 #include <memory>
 #include <optional>
@@ -22,22 +21,24 @@ public:
   /// nobody else may be in BLAS meanwhile.
   static std::optional<DenseLu> of(Eigen::MatrixXd matrix, const Threads& threads = {});
 
-  DenseLu(DenseLu&&) = default;
-  DenseLu& operator=(DenseLu&&) = default;
+  DenseLu(DenseLu&&) noexcept;
+  DenseLu& operator=(DenseLu&&) noexcept;
   DenseLu(const DenseLu&) = delete;
   DenseLu& operator=(const DenseLu&) = delete;
-  ~DenseLu() = default;
+  ~DenseLu();
 
   Eigen::VectorXd solve(Eigen::VectorXd right_side) const;
 
 private:
-  DenseLu() = default;
+  struct Small;
+
+  DenseLu();
   bool factor_small();
   bool factor_large(const Threads& threads);
 
   Eigen::MatrixXd factors_; ///< in the place of the matrix; a move leaves its numbers where they are
   /// Of a small matrix: refers to the numbers of `factors_`.
-  std::unique_ptr<Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>>> small_;
+  std::unique_ptr<Small> small_;
   std::vector<int> pivots_; ///< of LAPACK
 };
 

@@ -5,10 +5,10 @@
 #include "rubato/cell/shape_table.hpp"
 #include "rubato/load/nodal_forces.hpp"
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 
-#include <stdexcept>
-#include <string>
+#include <cstddef>
+#include <span>
 
 namespace rubato::load {
 
@@ -35,11 +35,7 @@ FacePoint face_point(const cell::ShapeTable& table, Eigen::Index q, const PlaceO
 }
 
 /// Outward, its length the area (edges: the length) per reference measure.
-inline Eigen::Vector3d area_vector(CellType type, const FacePoint& point) {
-  if (cell::topology(type).dimension == 1)
-    return {point.tangent[1], -point.tangent[0], 0.};
-  return point.tangent.cross(point.second_tangent);
-}
+Eigen::Vector3d area_vector(CellType type, const FacePoint& point);
 
 /// Calls `add(face, place, table, q, w t)` with `t` = `traction_at(face, point)`, per reference measure, and
 /// the weight w of each quadrature point.
@@ -75,20 +71,10 @@ inline auto against_normal(const element::Section& section, double pressure) {
 }
 
 /// Throws std::invalid_argument where a face has not one dimension less than the body it bounds.
-inline void check_sides(const element::Section& section, std::span<const Face> faces) {
-  for (const auto& face : faces)
-    if (cell::topology(face.type).dimension != element::component_count(section.physics) - 1)
-      throw std::invalid_argument(std::string(cell::topology(face.type).name) +
-                                  " is no side of a body of this physics");
-}
+void check_sides(const element::Section& section, std::span<const Face> faces);
 
 /// Throws std::invalid_argument when a cell is no segment.
-inline void check_edges(std::span<const Face> edges) {
-  for (const auto& edge : edges)
-    if (cell::topology(edge.type).dimension != 1)
-      throw std::invalid_argument("a line force needs segments, not " +
-                                  std::string(cell::topology(edge.type).name));
-}
+void check_edges(std::span<const Face> edges);
 
 /// Throws InputError, naming the node, when no cell carries it.
 void check_carried(const mesh::Mesh& mesh, const domain::DofMap& dofs, mesh::NodeIndex node);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/material/elastic_point.hpp"
 
+#include "rubato/study/study.hpp"
+
 namespace rubato::material {
 
 ElasticPoint make_elastic_point(double young, double poisson) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/material/expansion.hpp"
 
+#include "rubato/study/study.hpp"
+#include "rubato/study/temperature.hpp"
+
 #include <cmath>
 
 namespace rubato::material {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "rubato/material/law.hpp"
+#include "rubato/study/temperature.hpp"
 
 namespace rubato::material {
 

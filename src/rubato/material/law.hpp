@@ -14,6 +14,10 @@
 #include <string>
 #include <variant>
 
+namespace rubato::study {
+struct Material;
+} // namespace rubato::study
+
 namespace rubato::material {
 
 using Law = std::variant<LinearElastic, Orthotropic>;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/material/linear_elastic.hpp"
 
+#include "rubato/study/study.hpp"
+
 #include <fmt/format.h>
 
 namespace rubato::material {

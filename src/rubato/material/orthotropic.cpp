@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/material/orthotropic.hpp"
 
+#include "rubato/study/study.hpp"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <fmt/format.h>

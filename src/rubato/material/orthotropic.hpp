@@ -12,6 +12,7 @@
 #pragma once
 
 #include "rubato/material/linear_elastic.hpp"
+#include "rubato/study/study.hpp"
 
 namespace rubato::material {
 

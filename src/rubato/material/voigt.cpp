@@ -2,6 +2,7 @@
 #include "rubato/material/voigt.hpp"
 
 #include "rubato/linalg/dense_decompositions.hpp"
+#include "rubato/study/study.hpp"
 
 #include <array>
 #include <cmath>

@@ -8,9 +8,11 @@
 /// Tension is positive.
 #pragma once
 
-#include "rubato/study/study.hpp"
-
 #include <Eigen/Core>
+
+namespace rubato::study {
+enum class Physics;
+} // namespace rubato::study
 
 namespace rubato::material {
 

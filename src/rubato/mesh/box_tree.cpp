@@ -7,8 +7,6 @@
 
 namespace rubato::mesh {
 
-using Eigen::AlignedBox3d;
-
 namespace {
 
 constexpr std::size_t boxes_of_a_leaf = 8;
@@ -17,9 +15,30 @@ std::size_t slot(std::int32_t i) {
   return static_cast<std::size_t>(i);
 }
 
+double middle_of(const Box& box, Eigen::Index axis) {
+  return (box.least[axis] + box.largest[axis]) / 2;
+}
+
 } // namespace
 
-BoxTree::BoxTree(std::vector<AlignedBox3d> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
+void Box::extend(const Eigen::Vector3d& place) {
+  least = least.cwiseMin(place);
+  largest = largest.cwiseMax(place);
+}
+
+void Box::extend(const Box& other) {
+  least = least.cwiseMin(other.least);
+  largest = largest.cwiseMax(other.largest);
+}
+
+bool Box::contains(const Eigen::Vector3d& place) const {
+  for (int i = 0; i < 3; ++i)
+    if (!(least[i] <= place[i] && place[i] <= largest[i]))
+      return false;
+  return true;
+}
+
+BoxTree::BoxTree(std::vector<Box> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
   std::iota(order_.begin(), order_.end(), 0);
   if (!boxes_.empty())
     grow(0, order_.size());
@@ -27,7 +46,7 @@ BoxTree::BoxTree(std::vector<AlignedBox3d> boxes) : boxes_(std::move(boxes)), or
 
 void BoxTree::grow(std::size_t begin, std::size_t end) {
   const auto self = branches_.size();
-  branches_.push_back({AlignedBox3d(), begin, end, 0});
+  branches_.push_back({Box(), begin, end, 0});
   auto box = branches_[self].box;
   for (auto i = begin; i < end; ++i)
     box.extend(boxes_[slot(order_[i])]);
@@ -35,11 +54,11 @@ void BoxTree::grow(std::size_t begin, std::size_t end) {
   if (end - begin <= boxes_of_a_leaf)
     return;
   Eigen::Index axis = 0;
-  box.sizes().maxCoeff(&axis);
+  (box.largest - box.least).maxCoeff(&axis);
   const auto middle = begin + (end - begin) / 2;
   const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
   std::nth_element(at(begin), at(middle), at(end), [&](std::int32_t a, std::int32_t b) {
-    return boxes_[slot(a)].center()[axis] < boxes_[slot(b)].center()[axis];
+    return middle_of(boxes_[slot(a)], axis) < middle_of(boxes_[slot(b)], axis);
   });
   grow(begin, middle);
   branches_[self].right = branches_.size();

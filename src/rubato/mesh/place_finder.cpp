@@ -17,7 +17,6 @@
 namespace rubato::mesh {
 namespace {
 
-using Eigen::AlignedBox3d;
 using Eigen::Index;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
@@ -34,11 +33,15 @@ constexpr double settled = 1e-13;
 constexpr double nearly_settled = 1e-7;
 constexpr double far_outside = 1e3; ///< likewise
 
-AlignedBox3d box_of(const std::vector<Vector3d>& points) {
-  AlignedBox3d box;
+Box box_of(const std::vector<Vector3d>& points) {
+  Box box;
   for (const auto& x : points)
     box.extend(x);
   return box;
+}
+
+double diagonal_of(const Box& box) {
+  return (box.largest - box.least).norm();
 }
 
 Matrix3Xd corners(std::span<const NodeIndex> nodes, const std::vector<Vector3d>& points) {
@@ -97,11 +100,11 @@ bool is_inside(CellType type, const Vector3d& xi) {
 
 } // namespace
 
-std::vector<AlignedBox3d> boxes_around(const std::vector<Vector3d>& points, double by) {
-  std::vector<AlignedBox3d> boxes;
+std::vector<Box> boxes_around(const std::vector<Vector3d>& points, double by) {
+  std::vector<Box> boxes;
   boxes.reserve(points.size());
   for (const auto& x : points)
-    boxes.emplace_back(x.array() - by, x.array() + by);
+    boxes.push_back({x.array() - by, x.array() + by});
   return boxes;
 }
 
@@ -126,21 +129,21 @@ void PlaceFinder::take_nodes(const Mesh& mesh) {
   nodes_.node_numbers = mesh.node_numbers;
   nodes_.node_names = mesh.node_names;
   if (!mesh.points.empty())
-    tolerance_ = same_place * box_of(mesh.points).sizes().norm();
+    tolerance_ = same_place * diagonal_of(box_of(mesh.points));
   nodes_tree_ = BoxTree(boxes_around(mesh.points, tolerance_));
 }
 
 void PlaceFinder::take_cells(const Mesh& mesh, std::span<const CellIndex> cells) {
-  std::vector<AlignedBox3d> boxes;
+  std::vector<Box> boxes;
   for (const auto cell : cells) {
     const auto& shape = cell::topology(mesh.type_of(cell));
     const auto nodes = mesh.nodes_of(cell);
     cells_.push_back({shape.type, {nodes.begin(), nodes.end()}});
-    AlignedBox3d box;
+    Box box;
     for (const auto node : nodes)
       box.extend(mesh.points[static_cast<std::size_t>(node)]);
-    const double by = (shape.order == 1 ? same_place : bulge) * box.sizes().norm() + tolerance_;
-    boxes.emplace_back(box.min().array() - by, box.max().array() + by);
+    const double by = (shape.order == 1 ? same_place : bulge) * diagonal_of(box) + tolerance_;
+    boxes.push_back({box.least.array() - by, box.largest.array() + by});
   }
   cells_tree_ = BoxTree(std::move(boxes));
 }

@@ -54,6 +54,6 @@ private:
 };
 
 /// A box around each point that reaches `by` beyond it.
-std::vector<Eigen::AlignedBox3d> boxes_around(const std::vector<Eigen::Vector3d>& points, double by);
+std::vector<Box> boxes_around(const std::vector<Eigen::Vector3d>& points, double by);
 
 } // namespace rubato::mesh

@@ -2,6 +2,7 @@
 #include "rubato/core/time_integral.hpp"
 #include "rubato/linalg/ranked_matrix.hpp"
 #include "rubato/model/build.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/study/fields.hpp"
 #include "rubato/study/words.hpp"
 

@@ -2,6 +2,7 @@
 #include "rubato/model/bodies.hpp"
 
 #include "rubato/core/disjoint_sets.hpp"
+#include "rubato/domain/bulk.hpp"
 
 namespace rubato::model {
 

@@ -2,11 +2,15 @@
 /// The connected components of the mesh: a body is what cells connect, whatever touches it.
 #pragma once
 
-#include "rubato/domain/bulk.hpp"
 #include "rubato/mesh/mesh.hpp"
 
+#include <cstddef>
 #include <span>
 #include <vector>
+
+namespace rubato::domain {
+struct Bulk;
+} // namespace rubato::domain
 
 namespace rubato::model {
 

@@ -4,12 +4,35 @@
 #pragma once
 
 #include "rubato/domain/assembly.hpp"
-#include "rubato/model/model.hpp"
+#include "rubato/model/force.hpp"
+#include "rubato/model/fwd.hpp"
+#include "rubato/model/initial_motion.hpp"
+#include "rubato/model/modal_damping.hpp"
+#include "rubato/model/preloads.hpp"
+#include "rubato/model/probed_cells.hpp"
+#include "rubato/model/products.hpp"
+#include "rubato/model/references.hpp"
+#include "rubato/model/sparse_matrix.hpp"
+#include "rubato/model/springs.hpp"
 
 #include <limits>
 #include <span>
 #include <string_view>
 #include <vector>
+
+namespace rubato::contact {
+struct Zone;
+} // namespace rubato::contact
+
+namespace rubato::domain {
+struct CutForces;
+class Heat;
+struct LawSpring;
+} // namespace rubato::domain
+
+namespace rubato::load {
+struct FollowerPressure;
+} // namespace rubato::load
 
 namespace rubato::model {
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/domain/law_springs.hpp"
 #include "rubato/linalg/sparse_sum.hpp"
 #include "rubato/model/build.hpp"
+#include "rubato/model/model.hpp"
 
 #include <fmt/format.h>
 

@@ -5,6 +5,7 @@
 #include "rubato/material/make_point_law.hpp"
 #include "rubato/model/bodies.hpp"
 #include "rubato/model/layers.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/study/formulation.hpp"
 #include "rubato/study/validate.hpp"
 #include "rubato/study/words.hpp"

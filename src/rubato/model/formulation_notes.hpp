@@ -2,10 +2,23 @@
 /// Whether the cells of materials suit what the materials do.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/core/error.hpp"
+#include "rubato/model/fwd.hpp"
 
 #include <string>
 #include <vector>
+
+namespace rubato::domain {
+struct Bulk;
+} // namespace rubato::domain
+
+namespace rubato::mesh {
+struct Mesh;
+} // namespace rubato::mesh
+
+namespace rubato::study {
+struct Study;
+} // namespace rubato::study
 
 namespace rubato::model {
 

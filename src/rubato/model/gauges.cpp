@@ -4,6 +4,7 @@
 #include "rubato/linalg/dense_decompositions.hpp"
 #include "rubato/linalg/ranked_matrix.hpp"
 #include "rubato/model/build.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/model/neutral_motions.hpp"
 
 #include <Eigen/Geometry>

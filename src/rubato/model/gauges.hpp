@@ -2,7 +2,9 @@
 /// Neutral motions held: springs without which nothing says where a smooth ring has turned to.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
+#include "rubato/model/gauge.hpp"
+#include "rubato/model/sparse_matrix.hpp"
 
 #include <string>
 #include <vector>

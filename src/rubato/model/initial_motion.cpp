@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/model/build.hpp"
+#include "rubato/model/node_label.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/model/large_contact.hpp"
 
+#include "rubato/model/model.hpp"
+
 #include <fmt/format.h>
 
 namespace rubato::model {

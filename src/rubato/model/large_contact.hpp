@@ -2,7 +2,7 @@
 /// Zones with so many points that what all of them do to one another does not fit into the memory.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 
 #include <string>
 #include <vector>

@@ -2,6 +2,7 @@
 #include "rubato/model/mass_scaling.hpp"
 
 #include "rubato/domain/cell_rates.hpp"
+#include "rubato/model/model.hpp"
 
 #include <fmt/format.h>
 

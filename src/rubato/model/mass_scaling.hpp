@@ -2,7 +2,8 @@
 /// More mass for cells that would make the steps of an explicit run short.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
+#include "rubato/study/study.hpp"
 
 #include <Eigen/Core>
 

@@ -2,6 +2,7 @@
 #include "rubato/material/make_point_law.hpp"
 #include "rubato/mesh/names.hpp"
 #include "rubato/model/build.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/study/formulation.hpp"
 
 #include <fmt/format.h>

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/domain/domain.hpp"
+#include "rubato/domain/linear_domain.hpp"
+#include "rubato/domain/nonlinear_cells.hpp"
+#include "rubato/domain/nonlinear_domain.hpp"
 #include "rubato/linalg/ranked_matrix.hpp"
 #include "rubato/linalg/sparse_sum.hpp"
 #include "rubato/model/build.hpp"
 #include "rubato/model/contact_mass.hpp"
 #include "rubato/model/gauges.hpp"
 #include "rubato/model/mass_scaling.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/model/own_cells.hpp"
 #include "rubato/study/damping.hpp"
 

@@ -4,6 +4,7 @@
 #include "rubato/linalg/eigen_modes.hpp"
 #include "rubato/linalg/ranked_matrix.hpp"
 #include "rubato/model/build.hpp"
+#include "rubato/model/model.hpp"
 
 #include <fmt/format.h>
 

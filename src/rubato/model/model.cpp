@@ -240,6 +240,10 @@ Model build_model(const study::Study& study, mesh::Mesh mesh, const Workers& wor
   return assembled(lay_out(study, std::move(mesh)), workers);
 }
 
+Model build_model(const study::Study& study, const Workers& workers) {
+  return build_model(study, load_mesh(study.mesh), workers);
+}
+
 Model build_stage(const Model& first, double release, const VectorXd& shortening) {
   return assembled(lay_out(first.study, first.mesh, first.preloads, {release, shortening}), first.workers());
 }

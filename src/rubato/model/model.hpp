@@ -11,21 +11,28 @@
 #include "rubato/domain/dof_map.hpp"
 #include "rubato/domain/domain.hpp"
 #include "rubato/domain/heat.hpp"
-#include "rubato/load/field_forces.hpp"
 #include "rubato/load/follower_pressure.hpp"
 #include "rubato/mesh/mesh.hpp"
+#include "rubato/model/build_model.hpp"
+#include "rubato/model/force.hpp"
+#include "rubato/model/gauge.hpp"
+#include "rubato/model/ground_pull.hpp"
+#include "rubato/model/initial_motion.hpp"
 #include "rubato/model/modal_damping.hpp"
+#include "rubato/model/model_forces.hpp"
+#include "rubato/model/node_label.hpp"
 #include "rubato/model/preloads.hpp"
+#include "rubato/model/probed_cells.hpp"
 #include "rubato/model/products.hpp"
 #include "rubato/model/references.hpp"
+#include "rubato/model/sparse_matrix.hpp"
+#include "rubato/model/springs.hpp"
 #include "rubato/study/study.hpp"
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
+#include <cstddef>
 #include <memory>
-#include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -34,71 +41,6 @@ class RankParts;
 } // namespace rubato::domain
 
 namespace rubato::model {
-
-using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
-
-/// A force pattern times a function of time (1 when there is none), and what of the load changes otherwise.
-struct Force {
-  Eigen::VectorXd pattern; ///< [force], one a dof
-  std::optional<Function> function;
-  std::vector<load::FieldForce> fields = {}; ///< expressions of t
-  bool is_controlled = false;                ///< multiplied by the factor of the loads
-};
-
-/// A spring from a dof to the ground, slack at displacement 0.
-struct Spring {
-  int dof = 0;
-  double stiffness = 0; ///< [force/length] > 0
-  bool soft = false;    ///< too soft to say where a body in contact is (model/soft_springs.hpp)
-};
-
-/// A spring, a dashpot and a mass side by side on the displacement Σ row · u. Where tables give forces, the
-/// numbers are their steepest slopes, which matrices have.
-struct Connector {
-  std::vector<constraint::Term> row;
-  double stiffness = 0; ///< [force/length]
-  double damping = 0;   ///< [force · time/length]
-  double mass = 0;      ///< [mass]
-  std::optional<LinearTable> force = {};
-  std::optional<LinearTable> damper = {};
-};
-
-/// What springs and dashpots to the ground do to the bodies when it moves by s along an axis: the force
-/// stiffness s + damping ṡ.
-struct GroundPull {
-  FieldFunction displacement; ///< s [length]
-  Eigen::VectorXd along;      ///< r: 1 on dofs along the axis
-  Eigen::VectorXd stiffness;  ///< K r [force/length], one a dof
-  Eigen::VectorXd damping;    ///< C r [force · time/length], one a dof; empty without damping
-
-  double at(double t) const;   ///< s [length]
-  double rate(double t) const; ///< ṡ [length/time]
-};
-
-struct PointMass {
-  mesh::NodeIndex node = -1;
-  double mass = 0;
-};
-
-/// Holds a motion of a body that nothing resists, and neither the body's other rigid motions nor, but for
-/// places near its nodes, deformations: a spring on g·u, slack at 0.
-struct Gauge {
-  std::vector<mesh::NodeIndex> nodes;
-  Eigen::VectorXd values; ///< of g, node by node
-};
-
-/// Displacements and velocities the deck gives the bodies at the first instant, one a dof; supports count
-/// before them.
-struct InitialMotion {
-  Eigen::VectorXd displacement; ///< [length]
-  Eigen::VectorXd velocity;     ///< [length/time]
-};
-
-/// Cells that a probe has values of, by their places in the bulk.
-struct ProbedCells {
-  std::vector<std::size_t> cells;
-  int point = -1; ///< the Gauss point of the one cell; −1: every point of each
-};
 
 struct Model {
   study::Study study;
@@ -160,57 +102,5 @@ struct Model {
   mesh::NodeIndex node_of(int dof) const { return node_of_dof[static_cast<std::size_t>(dof)]; }
   std::vector<mesh::NodeIndex> node_of_dof;
 };
-
-/// Builds the discrete problem. Throws InputError with every rule that the study breaks, else with every
-/// fault that shows against the mesh; faults have the path of the value in the study.
-Model build_model(const study::Study& study, mesh::Mesh mesh, const Workers& workers = {});
-
-/// The discrete problem from one of the releases on: the supports that end by then are gone, preloads that
-/// are locked by then have their shortening. Its dofs and contact points are those of `first`, the model at
-/// the begin of the run. `shortening`: one a preload [length].
-Model build_stage(const Model& first, double release, const Eigen::VectorXd& shortening);
-
-/// What preloads that are locked at one of the releases are shortened by, u being the displacements then;
-/// leaves the others alone.
-void lock_preloads(const Model& first, double release, const Eigen::VectorXd& u, Eigen::VectorXd& shortening);
-
-/// A sentence for each zone whose sides the model has chosen: which one is the slave, and why.
-std::vector<std::string> chosen_sides(std::span<const contact::Zone> zones);
-
-/// The faults of each study that show against its mesh, without assembling anything: whoever is about to run
-/// several learns first whether one of them is bad.
-std::vector<std::vector<Fault>> faults_of(std::span<const study::Study> studies);
-
-/// The mesh a study names or describes: read or generated, mended, converted and refined. Throws InputError;
-/// what is wrong with a mesh file is told at the path that names it.
-mesh::Mesh load_mesh(const study::MeshSource& source);
-
-/// build_model on that mesh.
-inline Model build_model(const study::Study& study, const Workers& workers = {}) {
-  return build_model(study, load_mesh(study.mesh), workers);
-}
-
-/// Of loads that do not depend on displacements [force], one a dof. `load_factor`: multiplies those without
-/// a function of time where the study follows a path (study::ArcLength), and 1 elsewhere.
-Eigen::VectorXd external_force(const Model& model, double t, double load_factor = 1);
-
-/// Adds the forces of pressures that follow their faces at displacements u to `force`, both with an entry a
-/// dof [force].
-void add_follower_forces(const Model& model, double t, const Eigen::VectorXd& u, Eigen::VectorXd& force,
-                         double load_factor = 1);
-/// Adds `factor` times the symmetric part of their −∂f/∂u to a compressed matrix with the places of the
-/// stiffness.
-void add_follower_tangent(const Model& model, double t, const Eigen::VectorXd& u, double factor,
-                          SparseMatrix& matrix, double load_factor = 1);
-/// What the loads that have the factor do at a factor of one [force], one a dof.
-Eigen::VectorXd controlled_force(const Model& model, double t, const Eigen::VectorXd& u);
-
-/// Whether velocities are resisted.
-bool is_damped(const Model& model);
-/// What resists them: C v, with the damping of modes [force].
-Eigen::VectorXd damping_force(const Model& model, const Eigen::VectorXd& v);
-
-/// "N90 (1, 0.1, 0.05)": how messages name a node.
-std::string node_label(const mesh::Mesh& mesh, mesh::NodeIndex node);
 
 } // namespace rubato::model

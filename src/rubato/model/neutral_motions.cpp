@@ -2,6 +2,7 @@
 #include "rubato/model/neutral_motions.hpp"
 
 #include "rubato/linalg/dense_decompositions.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/model/surface_normals.hpp"
 
 #include <algorithm>

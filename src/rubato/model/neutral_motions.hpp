@@ -2,7 +2,7 @@
 /// Rigid motions that nothing resists but the facets of a mesh: a smooth ring turns about itself.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 #include "rubato/model/rigid_motions.hpp"
 
 #include <vector>

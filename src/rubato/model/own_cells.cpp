@@ -2,6 +2,8 @@
 #include "rubato/model/own_cells.hpp"
 
 #include "rubato/core/index.hpp"
+#include "rubato/load/follower_pressure.hpp"
+#include "rubato/model/model.hpp"
 
 #include <fmt/format.h>
 

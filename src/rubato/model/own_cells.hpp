@@ -3,13 +3,17 @@
 #pragma once
 
 #include "rubato/domain/rank_parts.hpp"
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 
 #include <Eigen/Core>
 
 #include <cstddef>
 #include <memory>
 #include <vector>
+
+namespace rubato::load {
+struct FollowerPressure;
+} // namespace rubato::load
 
 namespace rubato::model {
 

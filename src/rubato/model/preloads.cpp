@@ -4,6 +4,7 @@
 #include "rubato/mesh/names.hpp"
 #include "rubato/model/build.hpp"
 #include "rubato/model/embedding.hpp"
+#include "rubato/model/node_label.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/domain/cut.hpp"
 #include "rubato/model/build.hpp"
 
 #include <fmt/format.h>

@@ -2,6 +2,7 @@
 #include "rubato/core/naming.hpp"
 #include "rubato/mesh/names.hpp"
 #include "rubato/model/build.hpp"
+#include "rubato/model/model.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>

@@ -7,6 +7,7 @@
 #include "rubato/core/time_integral.hpp"
 #include "rubato/mesh/skin.hpp"
 #include "rubato/model/embedding.hpp"
+#include "rubato/model/node_label.hpp"
 #include "rubato/study/fields.hpp"
 #include "rubato/study/words.hpp"
 

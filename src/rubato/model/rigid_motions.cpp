@@ -3,6 +3,7 @@
 
 #include "rubato/contact/kinematics.hpp"
 #include "rubato/linalg/dense_decompositions.hpp"
+#include "rubato/model/model.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>

@@ -4,7 +4,9 @@
 
 #include "rubato/contact/pairing.hpp"
 #include "rubato/model/bodies.hpp"
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
+#include "rubato/model/gauge.hpp"
+#include "rubato/model/springs.hpp"
 
 #include <Eigen/Core>
 

@@ -3,8 +3,9 @@
 #pragma once
 
 #include "rubato/constraint/reduction.hpp"
+#include "rubato/core/error.hpp"
 #include "rubato/domain/dof_map.hpp"
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 
 #include <span>
 #include <string>

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/model/shared_nodes_note.hpp"
 
+#include "rubato/contact/shared_nodes.hpp"
 #include "rubato/mesh/names.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/study/study.hpp"
 
 #include <fmt/format.h>

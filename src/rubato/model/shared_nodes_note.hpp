@@ -2,7 +2,7 @@
 /// Slave nodes in several zones, of which whoever runs the model should know.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 
 #include <optional>
 #include <string>

@@ -5,6 +5,7 @@
 #include "rubato/domain/cell_matrices.hpp"
 #include "rubato/material/stretching.hpp"
 #include "rubato/model/bodies.hpp"
+#include "rubato/model/model.hpp"
 
 #include <algorithm>
 #include <array>

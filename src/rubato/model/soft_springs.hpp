@@ -3,7 +3,7 @@
 /// where it is.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 
 namespace rubato::model {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/linalg/memory.hpp"
+#include "rubato/model/node_label.hpp"
 #include "rubato/model/relations.hpp"
 #include "rubato/model/rotations.hpp"
 #include "rubato/study/fields.hpp"

@@ -5,6 +5,7 @@
 #include "rubato/contact/integration.hpp"
 #include "rubato/contact/tie.hpp"
 #include "rubato/domain/bulk.hpp"
+#include "rubato/model/node_label.hpp"
 #include "rubato/study/contact_methods.hpp"
 #include "rubato/study/fields.hpp"
 #include "rubato/study/schemes.hpp"

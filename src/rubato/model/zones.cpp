@@ -4,6 +4,7 @@
 #include "rubato/mesh/orientation.hpp"
 #include "rubato/mesh/sheet.hpp"
 #include "rubato/model/build.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/named_faces.hpp"
 #include "rubato/model/rotations.hpp"
 #include "rubato/model/slave_side.hpp"

@@ -2,6 +2,7 @@
 #include "rubato/modes/closed_contact.hpp"
 
 #include "rubato/contact/discretisation.hpp"
+#include "rubato/model/model.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,8 @@
 /// Contact that is closed in the undeformed bodies, as linear relations between displacements.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
+#include "rubato/model/sparse_matrix.hpp"
 
 #include <string>
 #include <vector>

@@ -3,6 +3,8 @@
 
 #include "rubato/core/error.hpp"
 #include "rubato/linalg/eigen_modes.hpp"
+#include "rubato/model/model.hpp"
+#include "rubato/study/study.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 /// Natural frequencies and shapes of a model (docs/theory/modes.md).
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 #include "rubato/modes/closed_contact.hpp"
 
 #include <Eigen/Core>

@@ -5,6 +5,7 @@
 #include "rubato/report/assets.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <array>
 #include <functional>

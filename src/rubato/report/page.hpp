@@ -2,7 +2,7 @@
 /// The page of a report, put together from the files of the folder web.
 #pragma once
 
-#include "rubato/report/view_data.hpp"
+#include "rubato/report/blob.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

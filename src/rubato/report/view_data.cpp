@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -213,6 +214,8 @@ Json description_of(const results::StoredFields& fields, const ViewMesh& view,
 }
 
 } // namespace
+
+ViewData::ViewData() : kept_(std::make_shared<nlohmann::ordered_json>()), description(*kept_) {}
 
 ViewData view_data(const results::StoredFields& fields, const std::string& prefix, std::size_t room) {
   const auto view = view_mesh(fields.mesh);

@@ -3,28 +3,30 @@
 /// where they would not fit.
 #pragma once
 
+#include "rubato/report/blob.hpp"
 #include "rubato/results/stored_fields.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace rubato::report {
 
-/// An array as text, by the name under which the page's scripts find it.
-struct Blob {
-  std::string name;
-  std::string text;
-};
+/// Copies share their description.
+class ViewData {
+  std::shared_ptr<nlohmann::ordered_json> kept_;
 
-struct ViewData { // NOLINT(bugprone-exception-escape): of the library's values
+public:
+  ViewData();
+
   /// dimension, bodies, cells by type, box, counts; `fields` with names, components and `levels`; `instants`;
   /// `stored_instants`; `ranges`: of each field, instant and component the least value and the step
-  nlohmann::ordered_json description;
+  nlohmann::ordered_json& description;
   std::vector<Blob> blobs;
   std::size_t stored_instants = 0;
   std::size_t shown_instants = 0;

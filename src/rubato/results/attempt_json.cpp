@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/results/attempt_json.hpp"
 
+#include "rubato/model/model.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <cmath>

@@ -2,7 +2,7 @@
 /// Attempts at steps as JSON.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 #include "rubato/results/failure.hpp"
 #include "rubato/simulation/attempt.hpp"
 

@@ -3,7 +3,7 @@
 /// mean.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 #include "rubato/step/state.hpp"
 #include "rubato/study/stored_fields.hpp"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "rubato/domain/recovery.hpp"
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 #include "rubato/step/state.hpp"
 
 #include <Eigen/Core>

@@ -3,6 +3,7 @@
 // what it is shown or replaces it by what it reads.
 #include "rubato/results/checkpoint.hpp"
 
+#include "rubato/contact/explicit_penalty.hpp"
 #include "rubato/core/error.hpp"
 #include "rubato/core/writing.hpp"
 #include "rubato/domain/point_numbers.hpp"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <concepts>
+#include <exception>
 #include <span>
 #include <type_traits>
 #include <variant>

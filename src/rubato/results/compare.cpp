@@ -5,6 +5,7 @@
 #include "rubato/core/naming.hpp"
 #include "rubato/mesh/io/med.hpp"
 #include "rubato/model/build.hpp"
+#include "rubato/model/node_label.hpp"
 #include "rubato/results/history.hpp"
 #include "rubato/results/med_fields.hpp"
 #include "rubato/results/run_folder.hpp"

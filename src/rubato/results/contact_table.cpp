@@ -3,6 +3,7 @@
 
 #include "rubato/contact/arc_length.hpp"
 #include "rubato/mesh/names.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/results/run_folder.hpp"
 #include "rubato/study/words.hpp"
 

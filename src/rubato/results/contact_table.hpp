@@ -14,7 +14,7 @@
 ///                      pressure times area is `normal` in resultants_<zone>.csv
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 #include "rubato/results/csv.hpp"
 #include "rubato/step/state.hpp"
 
@@ -24,6 +24,10 @@
 #include <span>
 #include <string>
 #include <vector>
+
+namespace rubato::contact {
+struct SlavePoint;
+} // namespace rubato::contact
 
 namespace rubato::results {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/results/mode_files.hpp"
 
+#include "rubato/model/model.hpp"
 #include "rubato/results/csv.hpp"
 #include "rubato/results/nodal_fields.hpp"
 #include "rubato/results/vtu.hpp"

@@ -2,7 +2,7 @@
 /// Natural modes as files.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 #include "rubato/modes/modes.hpp"
 
 #include <filesystem>

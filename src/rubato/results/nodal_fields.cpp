@@ -3,7 +3,9 @@
 
 #include "rubato/contact/nodal_pressure.hpp"
 #include "rubato/domain/recovery.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/results/cell_quantities.hpp"
+#include "rubato/results/resultants.hpp"
 #include "rubato/study/formulation.hpp"
 #include "rubato/study/stored_fields.hpp"
 #include "rubato/study/words.hpp"

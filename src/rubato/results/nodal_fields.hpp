@@ -2,9 +2,10 @@
 /// The fields of a state at the mesh's nodes, and the resultants of contact.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 #include "rubato/results/field.hpp"
 #include "rubato/step/state.hpp"
+#include "rubato/study/outputs.hpp"
 
 #include <Eigen/Core>
 
@@ -50,18 +51,5 @@ Eigen::VectorXd contact_force(const model::Model& model, const step::State& now)
 /// Of a model with temperatures.
 OwnedField temperature_field(const model::Model& model, double t);
 std::vector<OwnedField> contact_fields(const model::Model& model, const step::State& now);
-
-struct Resultants {
-  int in_contact = 0;
-  int sticking = 0;
-  Eigen::Vector3d force = Eigen::Vector3d::Zero(); ///< of the master on the slave [force]
-  double normal = 0;                               ///< ∫ p [force]
-  double friction = 0;                             ///< |∫ tangential traction| [force]
-  double largest_pressure = 0;
-  double smallest_gap = 0;
-};
-
-/// Of one zone.
-Resultants contact_resultants(const contact::ZoneState& state);
 
 } // namespace rubato::results

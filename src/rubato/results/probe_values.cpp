@@ -2,6 +2,8 @@
 #include "rubato/results/probe_values.hpp"
 
 #include "rubato/contact/discretisation.hpp"
+#include "rubato/model/model.hpp"
+#include "rubato/model/references.hpp"
 #include "rubato/results/cell_quantities.hpp"
 #include "rubato/results/nodal_fields.hpp"
 #include "rubato/study/stored_fields.hpp"

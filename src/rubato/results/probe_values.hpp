@@ -2,7 +2,7 @@
 /// What the probes of a study have at an instant: a line of probes.csv.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 #include "rubato/step/state.hpp"
 
 #include <string>

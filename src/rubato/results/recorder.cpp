@@ -3,6 +3,7 @@
 
 #include "rubato/core/writing.hpp"
 #include "rubato/mesh/io/med.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/results/attempt_json.hpp"
 #include "rubato/results/cell_fields.hpp"
 #include "rubato/results/contact_table.hpp"
@@ -11,6 +12,7 @@
 #include "rubato/results/med_fields.hpp"
 #include "rubato/results/nodal_fields.hpp"
 #include "rubato/results/probe_values.hpp"
+#include "rubato/results/resultants.hpp"
 #include "rubato/results/run_folder.hpp"
 #include "rubato/results/stored_run.hpp"
 #include "rubato/results/summary_json.hpp"

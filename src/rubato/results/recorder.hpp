@@ -13,13 +13,13 @@
 ///                          with status "running"
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 #include "rubato/results/checks.hpp"
 #include "rubato/results/csv.hpp"
 #include "rubato/results/failure.hpp"
 #include "rubato/results/run_status.hpp"
 #include "rubato/simulation/attempt.hpp"
-#include "rubato/step/energy.hpp"
+#include "rubato/step/energy_ledger.hpp"
 #include "rubato/step/report.hpp"
 #include "rubato/step/state.hpp"
 

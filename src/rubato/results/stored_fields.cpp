@@ -4,6 +4,7 @@
 #include "rubato/core/error.hpp"
 #include "rubato/mesh/io/med.hpp"
 #include "rubato/mesh/io/vtu_reader.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/results/med_fields.hpp"
 #include "rubato/results/run_folder.hpp"
 

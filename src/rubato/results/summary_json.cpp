@@ -2,6 +2,9 @@
 #include "rubato/results/summary_json.hpp"
 
 #include "rubato/core/tolerances.hpp"
+#include "rubato/model/model.hpp"
+
+#include <nlohmann/json.hpp>
 
 #include <string>
 

@@ -2,6 +2,7 @@
 #include "rubato/run/advice.hpp"
 
 #include "rubato/contact/springs.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/model/rigid_motions.hpp"
 #include "rubato/study/formulation.hpp"
 #include "rubato/study/schemes.hpp"

@@ -2,7 +2,7 @@
 /// What may help where a step could not be made.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 #include "rubato/results/failure.hpp"
 #include "rubato/time/scheme.hpp"
 

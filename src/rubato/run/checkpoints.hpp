@@ -5,7 +5,7 @@
 #include "rubato/mesh/mesh.hpp"
 #include "rubato/results/checkpoint.hpp"
 #include "rubato/results/run_folder.hpp"
-#include "rubato/run/time_loop.hpp"
+#include "rubato/run/run_study.hpp"
 #include "rubato/study/study.hpp"
 
 #include <cstdint>

@@ -2,8 +2,8 @@
 /// What is said of a run's energy.
 #pragma once
 
-#include "rubato/run/time_loop.hpp"
-#include "rubato/step/energy.hpp"
+#include "rubato/run/watch.hpp"
+#include "rubato/step/energy_ledger.hpp"
 
 #include <string>
 

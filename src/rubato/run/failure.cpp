@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/run/failure.hpp"
 
+#include "rubato/model/model.hpp"
 #include "rubato/model/rigid_motions.hpp"
 #include "rubato/run/advice.hpp"
 #include "rubato/step/finiteness.hpp"

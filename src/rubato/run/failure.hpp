@@ -2,7 +2,7 @@
 /// What is told of a step that could not be made.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 #include "rubato/results/failure.hpp"
 #include "rubato/simulation/observer.hpp"
 

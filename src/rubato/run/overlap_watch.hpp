@@ -3,8 +3,8 @@
 #pragma once
 
 #include "rubato/contact/buried_nodes.hpp"
-#include "rubato/model/model.hpp"
-#include "rubato/run/time_loop.hpp"
+#include "rubato/model/fwd.hpp"
+#include "rubato/run/watch.hpp"
 #include "rubato/step/state.hpp"
 
 #include <vector>

@@ -3,7 +3,7 @@
 
 #include "rubato/linalg/memory.hpp"
 #include "rubato/model/model.hpp"
-#include "rubato/simulation/simulation.hpp"
+#include "rubato/simulation/time_integration.hpp"
 #include "rubato/time/step_control.hpp"
 
 namespace rubato::run {

@@ -2,7 +2,7 @@
 /// How far a run is, in one line of text.
 #pragma once
 
-#include "rubato/run/time_loop.hpp"
+#include "rubato/run/watch.hpp"
 
 #include <chrono>
 #include <cstddef>

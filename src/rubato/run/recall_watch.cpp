@@ -2,6 +2,7 @@
 #include "rubato/run/recall_watch.hpp"
 
 #include "rubato/domain/bulk.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/study/words.hpp"
 
 #include <fmt/format.h>

@@ -2,8 +2,8 @@
 /// Says when steps are too long for back stresses that recall.
 #pragma once
 
-#include "rubato/model/model.hpp"
-#include "rubato/run/time_loop.hpp"
+#include "rubato/model/fwd.hpp"
+#include "rubato/run/watch.hpp"
 #include "rubato/step/state.hpp"
 
 namespace rubato::run {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/run/time_loop.hpp"
-
 #include "rubato/core/processor_time.hpp"
 #include "rubato/core/writing.hpp"
 #include "rubato/linalg/memory.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/results/recorder.hpp"
 #include "rubato/run/advice.hpp"
 #include "rubato/run/checkpoints.hpp"
@@ -11,8 +10,9 @@
 #include "rubato/run/failure.hpp"
 #include "rubato/run/overlap_watch.hpp"
 #include "rubato/run/recall_watch.hpp"
+#include "rubato/run/run_study.hpp"
 #include "rubato/run/turn_watch.hpp"
-#include "rubato/simulation/simulation.hpp"
+#include "rubato/simulation/time_integration.hpp"
 #include "rubato/step/told_state.hpp"
 #include "rubato/study/damping.hpp"
 #include "rubato/study/schemes.hpp"

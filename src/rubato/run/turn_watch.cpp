@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/run/turn_watch.hpp"
 
+#include "rubato/model/model.hpp"
 #include "rubato/model/rotations.hpp"
 #include "rubato/study/formulation.hpp"
 #include "rubato/study/words.hpp"

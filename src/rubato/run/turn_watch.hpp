@@ -2,8 +2,9 @@
 /// Says when groups of relations turn too far.
 #pragma once
 
-#include "rubato/model/model.hpp"
-#include "rubato/run/time_loop.hpp"
+#include "rubato/model/fwd.hpp"
+#include "rubato/model/references.hpp"
+#include "rubato/run/watch.hpp"
 #include "rubato/step/state.hpp"
 
 #include <vector>

@@ -2,7 +2,7 @@
 /// Attempts at steps: when, how they ended and why.
 #pragma once
 
-#include "rubato/step/energy.hpp"
+#include "rubato/step/energy_ledger.hpp"
 #include "rubato/step/progress.hpp"
 #include "rubato/step/report.hpp"
 

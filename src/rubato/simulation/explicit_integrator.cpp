@@ -3,6 +3,7 @@
 
 #include "rubato/core/error.hpp"
 #include "rubato/core/processor_time.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/time/step_control.hpp"
 
 #include <fmt/format.h>

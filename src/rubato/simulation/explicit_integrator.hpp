@@ -3,14 +3,14 @@
 /// ImplicitIntegrator.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 #include "rubato/simulation/attempt.hpp"
 #include "rubato/simulation/kept_state.hpp"
 #include "rubato/simulation/memento.hpp"
 #include "rubato/simulation/stages.hpp"
 #include "rubato/simulation/start.hpp"
 #include "rubato/simulation/trial.hpp"
-#include "rubato/step/energy.hpp"
+#include "rubato/step/energy_ledger.hpp"
 #include "rubato/step/explicit/explicit_motion.hpp"
 #include "rubato/step/state.hpp"
 

@@ -3,6 +3,7 @@
 
 #include "rubato/core/error.hpp"
 #include "rubato/core/processor_time.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/step/advance.hpp"
 #include "rubato/step/start.hpp"
 #include "rubato/step/told_state.hpp"

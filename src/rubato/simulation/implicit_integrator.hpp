@@ -2,7 +2,7 @@
 /// Implicit steps with cuts, as a simulation makes them: the functions of ExplicitIntegrator.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 #include "rubato/simulation/attempt.hpp"
 #include "rubato/simulation/kept_state.hpp"
 #include "rubato/simulation/memento.hpp"

@@ -2,6 +2,7 @@
 #include "rubato/simulation/memento.hpp"
 
 #include "rubato/core/error.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/study/formulation.hpp"
 
 #include <fmt/format.h>

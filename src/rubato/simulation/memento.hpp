@@ -2,9 +2,9 @@
 /// All that steps change, as a plain value: a simulation that is given it goes on to the same bits.
 #pragma once
 
-#include "rubato/model/model.hpp"
-#include "rubato/step/energy.hpp"
-#include "rubato/step/explicit/explicit_motion.hpp"
+#include "rubato/model/fwd.hpp"
+#include "rubato/step/energy_ledger.hpp"
+#include "rubato/step/explicit/explicit_memory.hpp"
 #include "rubato/step/overlap.hpp"
 #include "rubato/step/state.hpp"
 #include "rubato/time/step_control.hpp"
@@ -31,7 +31,7 @@ struct ImplicitProgress {
 
 struct ExplicitProgress {
   /// At the instant of the state, or, after an interruption, further on the way to the next record.
-  step::ExplicitMotion::Memory motion;
+  step::ExplicitMemory motion;
   double limit = 0; ///< of the step, which never grows [time]
   /// At the instant of the state; where it is not known, that of the motion is taken.
   std::optional<step::EnergyLedger> energy = {};

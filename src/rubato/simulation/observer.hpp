@@ -3,7 +3,7 @@
 #pragma once
 
 #include "rubato/simulation/attempt.hpp"
-#include "rubato/step/energy.hpp"
+#include "rubato/step/energy_ledger.hpp"
 #include "rubato/step/state.hpp"
 
 #include <functional>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "rubato/simulation/simulation.hpp"
-
+#include "rubato/model/model.hpp"
 #include "rubato/simulation/explicit_integrator.hpp"
 #include "rubato/simulation/implicit_integrator.hpp"
+#include "rubato/simulation/time_integration.hpp"
 #include "rubato/step/told_state.hpp"
 
 #include <stdexcept>

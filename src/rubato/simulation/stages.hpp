@@ -2,7 +2,7 @@
 /// The models of a run one after the other: where supports end another one begins, with more unknowns.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -36,7 +36,7 @@ private:
   const model::Model* first_;
   std::vector<double> ends_; ///< of all stages but the last, ascending: instants of the run
   std::size_t stage_ = 0;
-  std::unique_ptr<const model::Model> later_; ///< none in the first stage
+  std::shared_ptr<const model::Model> later_; ///< none in the first stage
 };
 
 } // namespace rubato::simulation

@@ -4,7 +4,7 @@
 
 #include "rubato/simulation/attempt.hpp"
 #include "rubato/simulation/memento.hpp"
-#include "rubato/step/energy.hpp"
+#include "rubato/step/energy_ledger.hpp"
 #include "rubato/step/report.hpp"
 #include "rubato/step/state.hpp"
 

@@ -2,6 +2,7 @@
 #include "rubato/step/advance.hpp"
 
 #include "rubato/contact/springs.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/step/common/nested_loops.hpp"
 #include "rubato/step/common/newton.hpp"
 #include "rubato/step/common/pressed_afar.hpp"

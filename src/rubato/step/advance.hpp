@@ -2,7 +2,7 @@
 /// One implicit step, with what is tried before it is given up.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 #include "rubato/step/common/effective_system.hpp"
 #include "rubato/step/progress.hpp"
 #include "rubato/step/report.hpp"

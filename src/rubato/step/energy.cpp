@@ -4,7 +4,10 @@
 
 #include "rubato/contact/springs.hpp"
 #include "rubato/core/tolerances.hpp"
+#include "rubato/domain/balance_terms.hpp"
 #include "rubato/linalg/ranked_matrix.hpp"
+#include "rubato/model/model.hpp"
+#include "rubato/step/common/rigid_parts.hpp"
 
 #include <utility>
 
@@ -103,6 +106,11 @@ std::shared_ptr<const VectorXd> EnergyAccount::diagonal_of(const Model& model) {
   return std::make_shared<const VectorXd>(
       linalg::diagonal_of(model.domain.initial_tangent(), model.sharing()).cwiseAbs());
 }
+
+EnergyAccount::EnergyAccount(const Model& model, const time::Scheme& scheme, const EnergyLedger& ledger,
+                             Overlaps overlaps)
+    : model_(&model), scheme_(&scheme), rigid_(std::make_shared<const RigidParts>(model)),
+      resistance_(diagonal_of(model)), ledger_(ledger), overlaps_(std::move(overlaps)), closed_(true) {}
 
 EnergyAccount::EnergyAccount(const Model& model, const time::Scheme& scheme, const State& start)
     : model_(&model), scheme_(&scheme), rigid_(std::make_shared<const RigidParts>(model)),

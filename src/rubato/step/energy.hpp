@@ -5,69 +5,28 @@
 /// its terms fulfil to rounding in every step whose equations are solved.
 #pragma once
 
-#include "rubato/model/model.hpp"
-#include "rubato/step/common/rigid_parts.hpp"
+#include "rubato/model/fwd.hpp"
+#include "rubato/step/energy_ledger.hpp"
 #include "rubato/step/overlap.hpp"
 #include "rubato/step/state.hpp"
 #include "rubato/time/scheme.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <Eigen/Core>
+
 #include <memory>
 #include <span>
-#include <utility>
+
+namespace rubato::contact {
+struct Zone;
+} // namespace rubato::contact
+
+namespace rubato::domain {
+struct Balance;
+} // namespace rubato::domain
 
 namespace rubato::step {
 
-struct EnergyLedger {
-  // Frozen by the bodies and their contact at this instant:
-  double kinetic = 0;
-  double strain = 0;
-  double contact = 0;     ///< stored in penalty springs; implicit runs: normal ones
-  double back_stress = 0; ///< stored in back stresses of plasticity
-  double hourglass = 0;   ///< stored in what keeps cells of reduced integration in shape
-  // Given and taken since the start of the run:
-  double external_work = 0; ///< of the loads on the bodies
-  double support_work = 0;  ///< of supports and obstacles that move, of interferences and gaps that change
-  double overlap_work = 0;  ///< of pressures that close what overlapped when the run began
-  double heat = 0;          ///< put into bodies that expand by their temperature
-  double damping = 0;       ///< dissipated by Rayleigh damping
-  double friction = 0;      ///< dissipated by friction
-  double plastic = 0;       ///< dissipated by plastic strain
-  double viscous = 0;       ///< dissipated by viscoelastic materials
-  double impact = 0;        ///< taken by contact pressures and not stored: > 0 where bodies hit, < 0 gained
-  double numerical = 0;     ///< dissipated by the time scheme; < 0 gained
-  /// Work of internal forces over steps that bodies of finite strain, and hourglasses of those that yield,
-  /// neither store nor dissipate: an error of
-  /// the time scheme, too; < 0 gained.
-  double bulk_scheme = 0;
-  double unbalanced = 0; ///< work of the forces that iterations and the rounding of f_int left unbalanced
-  double start = 0;      ///< what was stored when the run began
-  /// What the rounding of internal forces may have put into all of these: a floor below which they are none.
-  double rounding = 0;
-  /// Would be stored in bodies that cannot expand: `strain` and `heat` are differences of such terms.
-  double held_heat = 0;
-
-  double stored() const { return kinetic + strain + contact + back_stress + hourglass; }
-  /// What the ledger has no entry for: rounding.
-  double balance() const {
-    return stored() - start + damping + friction + plastic + viscous + impact + numerical + bulk_scheme -
-           external_work - support_work - overlap_work - heat - unbalanced;
-  }
-  /// What the bodies have more than physics allows: < 0 as long as impacts and the scheme only take.
-  double gain() const {
-    return stored() - start + damping + friction + plastic + viscous - external_work - support_work -
-           overlap_work - heat;
-  }
-  /// The largest of all parts: what the balance is measured by.
-  double largest() const {
-    return std::max({std::abs(kinetic), std::abs(strain), std::abs(contact), std::abs(back_stress),
-                     std::abs(hourglass), std::abs(external_work), std::abs(support_work),
-                     std::abs(overlap_work), std::abs(heat), std::abs(held_heat), std::abs(damping),
-                     std::abs(friction), std::abs(plastic), std::abs(viscous), std::abs(impact),
-                     std::abs(numerical), std::abs(bulk_scheme), std::abs(unbalanced), std::abs(start)});
-  }
-};
+class RigidParts;
 
 /// Adds what a step did in materials to the ledger.
 void enter(const domain::Balance& balance, EnergyLedger& ledger);
@@ -77,19 +36,6 @@ void enter(const domain::Balance& balance, EnergyLedger& ledger);
 double rounding_of_work(const Eigen::VectorXd& resistance, const Eigen::VectorXd& before,
                         const Eigen::VectorXd& now);
 
-/// How far ledgers of a run were out of balance, and what it gained.
-struct EnergyRecord {
-  double largest = 0;         ///< of all terms at all instants
-  double largest_balance = 0; ///< its magnitude
-  double gain = 0;            ///< the largest one, > 0
-  double gained_at = 0;       ///< when
-  double by_impact = 0;       ///< parts of it
-  double by_scheme = 0;
-  double by_bulk_scheme = 0;
-
-  void note(double t, const EnergyLedger& ledger);
-};
-
 /// Keeps the ledger of an implicit run, step by step, at the cost of a few dot products a step.
 class EnergyAccount {
 public:
@@ -97,9 +43,7 @@ public:
   EnergyAccount(const model::Model& model, const time::Scheme& scheme, const State& start);
   /// Goes on with an account as it was after one step or more.
   EnergyAccount(const model::Model& model, const time::Scheme& scheme, const EnergyLedger& ledger,
-                Overlaps overlaps)
-      : model_(&model), scheme_(&scheme), rigid_(std::make_shared<const RigidParts>(model)),
-        resistance_(diagonal_of(model)), ledger_(ledger), overlaps_(std::move(overlaps)), closed_(true) {}
+                Overlaps overlaps);
 
   /// Enters the step from `committed` to `trial`.
   void enter(const State& committed, const State& trial);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/finiteness.hpp"
 
+#include "rubato/model/model.hpp"
+
 #include <fmt/format.h>
 
 #include <array>

@@ -2,7 +2,7 @@
 /// The first thing in a step that is not finite: where it comes from, not where it was met.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 #include "rubato/step/report.hpp"
 #include "rubato/step/state.hpp"
 

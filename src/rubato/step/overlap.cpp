@@ -3,6 +3,7 @@
 
 #include "rubato/contact/discretisation.hpp"
 #include "rubato/contact/springs.hpp"
+#include "rubato/model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 /// support has given. Formulas: docs/theory/energy.md, "Overlaps".
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 #include "rubato/step/state.hpp"
 
 #include <vector>

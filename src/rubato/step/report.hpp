@@ -2,8 +2,8 @@
 /// How a step went: a value that says why, not an exception.
 #pragma once
 
-#include "rubato/contact/law.hpp"
-#include "rubato/domain/evaluation.hpp"
+#include "rubato/contact/status.hpp"
+#include "rubato/domain/cell_failure.hpp"
 #include "rubato/mesh/mesh.hpp"
 
 #include <Eigen/Core>

@@ -3,6 +3,8 @@
 
 #include "rubato/contact/discretisation.hpp"
 #include "rubato/linalg/ranked_matrix.hpp"
+#include "rubato/model/model.hpp"
+#include "rubato/model/sparse_matrix.hpp"
 
 #include <Eigen/IterativeLinearSolvers>
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 /// The state a run begins with.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 #include "rubato/step/state.hpp"
 #include "rubato/time/scheme.hpp"
 

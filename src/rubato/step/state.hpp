@@ -2,7 +2,7 @@
 /// Everything a step changes. An accepted trial is moved into the state; a rejected one is dropped.
 #pragma once
 
-#include "rubato/contact/enforcement.hpp"
+#include "rubato/contact/zone_state.hpp"
 #include "rubato/domain/quadrature_states.hpp"
 #include "rubato/time/scheme.hpp"
 

@@ -3,6 +3,7 @@
 
 #include "rubato/domain/rank_states.hpp"
 #include "rubato/linalg/ranked_matrix.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/step/common/effective_system.hpp"
 #include "rubato/time/scheme.hpp"
 

@@ -2,7 +2,7 @@
 /// States that ranks share, as any one of them can tell, keep and resume them.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 #include "rubato/step/state.hpp"
 
 #include <optional>

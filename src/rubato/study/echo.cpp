@@ -3,6 +3,8 @@
 
 #include "rubato/study/echo_json.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace rubato::study {
 namespace {
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// What the parts of the echo share. Only its sources include this: the JSON library is slow to compile.
+/// What the parts of the echo share. Only its sources include this.
 #pragma once
 
 #include "rubato/study/words.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <array>
 #include <optional>
 #include <string>
-#include <vector>
+#include <string_view>
 
 namespace rubato::study {
 
@@ -19,25 +19,23 @@ template <class E, std::size_t N> std::string word(const std::array<Word<E>, N>&
   return std::string(word_of(table, value));
 }
 
-inline Json first(const std::array<double, 3>& numbers, int count) {
-  return std::vector<double>(numbers.begin(), numbers.begin() + count);
-}
+Json first(const std::array<double, 3>& numbers, int count);
 
-inline void put_name(Json& map, const char* key, const std::string& name) {
-  if (!name.empty())
-    map[key] = name;
-}
+void put_name(Json& map, const char* key, const std::string& name);
+
+void put(Json& map, std::string_view key, double value);
+void put(Json& map, std::string_view key, bool value);
 
 template <class T> void put_optional(Json& map, const char* key, const std::optional<T>& value) {
   if (value)
-    map[key] = *value;
+    put(map, key, *value);
 }
 
 /// The numbers that a row of a table takes.
 template <class Row, class Record> void put_numbers(Json& map, const Row& row, const Record& record) {
   for (const auto& number : row.numbers)
     if (const auto value = number.get(record))
-      map[std::string(number.key)] = *value;
+      put(map, number.key, *value);
 }
 
 /// What a law has that is no plain number, and the strain and formulation where they are given.

@@ -2,6 +2,8 @@
 #include "rubato/study/echo_json.hpp"
 #include "rubato/study/formulation.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace rubato::study {
 namespace {
 

@@ -2,6 +2,8 @@
 #include "rubato/cell/topology.hpp"
 #include "rubato/study/echo_json.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cctype>
 

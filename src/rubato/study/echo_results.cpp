@@ -2,6 +2,8 @@
 #include "rubato/study/echo_json.hpp"
 #include "rubato/study/study.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace rubato::study {
 
 Json echo(const Cut& cut, int dimension) {

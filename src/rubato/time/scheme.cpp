@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/time/scheme.hpp"
 
+#include "rubato/study/study.hpp"
+
 #include <stdexcept>
 
 namespace rubato::time {

@@ -9,9 +9,11 @@
 /// with the predictor ũ = u₀, ṽ = (β−γ)/β v₀ + (2β−γ)h/(2β) a₀, ã = −v₀/(βh) + (2β−1)/(2β) a₀.
 #pragma once
 
-#include "rubato/study/study.hpp"
-
 #include <Eigen/Core>
+
+namespace rubato::study {
+struct TimeStepping;
+} // namespace rubato::study
 
 namespace rubato::time {
 

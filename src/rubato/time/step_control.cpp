@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/time/step_control.hpp"
 
+#include "rubato/study/study.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -2,10 +2,13 @@
 /// Which instants a run aims at, and how it gets there when steps fail: cut, and grow back.
 #pragma once
 
-#include "rubato/study/study.hpp"
-
+#include <cstddef>
 #include <span>
 #include <vector>
+
+namespace rubato::study {
+struct TimeStepping;
+} // namespace rubato::study
 
 namespace rubato::time {
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "support/model_of.hpp"
+#include "support/model_parts.hpp"
 #include <cmath>
 #include <string>
 
@@ -28,7 +29,7 @@ time: {scheme: static, step: 1, end: 1}
 )";
 }
 
-std::vector<double> depths(const model::Model& model, double x, double y, double least = 0) {
+std::vector<double> depths(const test::ModelParts& model, double x, double y, double least = 0) {
   Eigen::VectorXd u = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.dofs.dof_count));
   for (const auto node : model.zones.front().slave.nodes) {
     u[model.dofs.dof(node, 0)] = x;

@@ -7,6 +7,7 @@
 
 #include "support/decks.hpp"
 #include "support/model_of.hpp"
+#include "support/model_parts.hpp"
 #include "two_faces.hpp"
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 /// The upper beam, the master, slides along the lower one and off its end; both bend.
-VectorXd sliding(const model::Model& model, double t) {
+VectorXd sliding(const test::ModelParts& model, double t) {
   VectorXd u = VectorXd::Zero(model.dofs.dof_count);
   for (const auto node : model.dofs.nodes) {
     const auto& x = model.mesh.points[static_cast<std::size_t>(node)];
@@ -30,7 +31,7 @@ VectorXd sliding(const model::Model& model, double t) {
   return u;
 }
 
-const model::Model& beams() {
+const test::ModelParts& beams() {
   static const auto model = test::model_of(
       test::two_beams, {{"mesh.generate.0.cells", "quad9"}, {"mesh.generate.1.cells", "quad9"}});
   return model;

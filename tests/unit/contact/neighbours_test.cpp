@@ -5,6 +5,7 @@
 
 #include "support/decks.hpp"
 #include "support/model_of.hpp"
+#include "support/model_parts.hpp"
 #include "unit/contact/flattened_ring.hpp"
 #include <algorithm>
 #include <cmath>
@@ -17,7 +18,7 @@ namespace rubato::contact::neighbours_test {
 namespace {
 
 /// The upper beam's face, the master, bends and slides along the lower one, which lifts and turns.
-Eigen::VectorXd sliding(const model::Model& model, double t) {
+Eigen::VectorXd sliding(const test::ModelParts& model, double t) {
   Eigen::VectorXd u = Eigen::VectorXd::Zero(model.dofs.dof_count);
   for (const auto node : model.dofs.nodes) {
     const auto& x = model.mesh.points[static_cast<std::size_t>(node)];
@@ -82,7 +83,7 @@ protected:
     return count;
   }
 
-  const model::Model model_ = test::model_of(test::two_beams);
+  const test::BuiltModel model_ = test::model_of(test::two_beams);
   const Zone& zone_ = model_.zones.front();
   NeighbourList list_{zone_};
   std::vector<Pair> searched_;

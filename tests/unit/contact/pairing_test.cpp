@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "support/model_of.hpp"
+#include "support/model_parts.hpp"
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -73,7 +74,7 @@ time: {scheme: static, step: 1, end: 1}
 )";
 
 /// A hump of the lower plate, and the upper one a little above or in it.
-Eigen::VectorXd moved(const model::Model& model, double amount) {
+Eigen::VectorXd moved(const test::ModelParts& model, double amount) {
   Eigen::VectorXd u = Eigen::VectorXd::Zero(model.dofs.dof_count);
   for (const auto node : model.dofs.nodes) {
     const auto& x = model.mesh.points[static_cast<std::size_t>(node)];
@@ -107,7 +108,7 @@ std::vector<Vector3d> master_of(const Zone& zone, const Configuration& configura
 
 class PairsOn : public testing::TestWithParam<const char*> {
 protected:
-  static model::Model model_of_plates() {
+  static test::BuiltModel model_of_plates() {
     return test::model_of(plates,
                           {{"mesh.generate.0.cells", GetParam()}, {"mesh.generate.1.cells", GetParam()}});
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // The points of a zone: which there are, what each weighs and which multipliers they have.
 #include "rubato/contact/zone.hpp"
+#include "rubato/deck/read.hpp"
 
 #include <gtest/gtest.h>
 
@@ -37,7 +38,7 @@ bool is_solid(const std::string& cells) {
   return cells.starts_with("hexa") || cells.starts_with("tetra") || cells.starts_with("penta");
 }
 
-model::Model model_of(const std::string& cells, std::vector<Setting> changes = {}) {
+test::BuiltModel model_of(const std::string& cells, std::vector<Setting> changes = {}) {
   auto deck = blocks(is_solid(cells));
   for (auto at = deck.find("CELLS"); at != std::string::npos; at = deck.find("CELLS"))
     deck.replace(at, 5, cells);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Damping by its ratios at two frequencies.
 #include "rubato/deck/read.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/study/echo.hpp"
 
 #include <gtest/gtest.h>

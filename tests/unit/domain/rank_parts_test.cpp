@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/domain/rank_parts.hpp"
-#include "rubato/model/model.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support/model_of.hpp"
+#include "support/model_parts.hpp"
 #include "support/thread_ranks.hpp"
 #include <algorithm>
 #include <mutex>
@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-model::Model box(int x, int y, int z) {
+test::BuiltModel box(int x, int y, int z) {
   return test::model_of(
       fmt::format(R"(mesh: {{generate: [{{name: box, box: {{from: [0, 0, 0], to: [{}, {}, {}]}},
   divisions: [{}, {}, {}], sides: {{left: held}}}}]}}
@@ -29,7 +29,7 @@ time: {{scheme: newmark, step: 1e-5, end: 1e-3}}
 }
 
 /// What a cell adds at its nodes: another number at each.
-void add_cell(const model::Model& model, std::size_t place, VectorXd& sum) {
+void add_cell(const test::ModelParts& model, std::size_t place, VectorXd& sum) {
   const auto nodes = model.mesh.nodes_of(model.bulk.cells[place]);
   for (std::size_t n = 0; n < nodes.size(); ++n)
     for (int i = 0; i < model.dofs.components; ++i)
@@ -37,7 +37,7 @@ void add_cell(const model::Model& model, std::size_t place, VectorXd& sum) {
           1.0 / static_cast<double>(3 + place * 24 + n * 3 + static_cast<std::size_t>(i));
 }
 
-VectorXd by_one(const model::Model& model) {
+VectorXd by_one(const test::ModelParts& model) {
   VectorXd sum = VectorXd::Zero(model.dofs.dof_count);
   for (std::size_t place = 0; place < model.bulk.cells.size(); ++place)
     add_cell(model, place, sum);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/domain/point_numbers.hpp"
 #include "rubato/domain/rank_states.hpp"
-#include "rubato/model/model.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/model_of.hpp"
+#include "support/model_parts.hpp"
 #include "support/thread_ranks.hpp"
 #include <mutex>
 #include <numeric>
@@ -14,7 +14,7 @@ namespace rubato::domain::rank_states_test {
 namespace {
 
 /// An elastic block between two that yield.
-model::Model three_blocks() {
+test::BuiltModel three_blocks() {
   return test::model_of(R"(mesh:
   generate:
     - {name: a, box: {from: [0, 0, 0], to: [3, 1, 1]}, divisions: [3, 2, 1], sides: {left: held}}
@@ -30,7 +30,7 @@ time: {scheme: newmark, step: 1e-5, end: 1e-3}
 }
 
 /// Every number another one.
-QuadratureStates whole_of(const model::Model& model) {
+QuadratureStates whole_of(const test::ModelParts& model) {
   auto states = initial_states(model.mesh, model.bulk);
   std::iota(states.values.begin(), states.values.end(), 1.0);
   constexpr std::size_t points_of_a_cell = 8, cells = 10;

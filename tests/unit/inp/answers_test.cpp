@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "computed.hpp"
+#include "support/model_of.hpp"
 #include <cmath>
 #include <numbers>
 
@@ -124,7 +125,7 @@ TEST(ModesOfFiles, AreThoseOfABarOfFourElements) {
   const auto input = inp::read_input(test::inp_file("modes"), inp::Purpose::modes);
   ASSERT_EQ(input.runs.size(), 1U);
   EXPECT_EQ(input.mode_count, 3);
-  const auto model = model::build_model(modes::modal_study(input.runs[0]));
+  const test::BuiltModel model(modes::modal_study(input.runs[0]));
   const auto modes = modes::modes_of(model, {1, modes::Contact::open});
   const double angle = std::numbers::pi / 8, length = 0.25;
   const double square = 6 * 2e11 / (7800 * length * length) * (1 - std::cos(angle)) / (2 + std::cos(angle));

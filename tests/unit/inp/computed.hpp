@@ -2,12 +2,14 @@
 /// Studies computed to their ends, one after another.
 #pragma once
 
+#include "rubato/domain/dof_map.hpp"
 #include "rubato/inp/read.hpp"
-#include "rubato/model/model.hpp"
-#include "rubato/simulation/simulation.hpp"
+#include "rubato/mesh/mesh.hpp"
+#include "rubato/simulation/time_integration.hpp"
 
 #include <gtest/gtest.h>
 
+#include "support/model_parts.hpp"
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -48,7 +50,7 @@ public:
   }
 
   std::size_t size() const { return runs_.size(); }
-  const model::Model& model(std::size_t run) const { return runs_[run]->model(); }
+  test::ModelParts model(std::size_t run) const { return runs_[run]->model(); }
   const Eigen::VectorXd& displacements(std::size_t run) const { return runs_[run]->state().motion.u; }
 
   double displacement(std::size_t run, const Eigen::Vector3d& place, int axis) const {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/material/expansion.hpp"
+#include "rubato/study/study.hpp"
+#include "rubato/study/temperature.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/material/law.hpp"
+#include "rubato/study/study.hpp"
 
 #include <gtest/gtest.h>
 

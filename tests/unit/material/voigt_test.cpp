@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Stresses of every physics among all six components.
 #include "rubato/material/voigt.hpp"
+#include "rubato/study/study.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // What a study becomes: unknowns, matrices, loads, zones.
+#include "rubato/material/linear_elastic.hpp"
+#include "rubato/model/model.hpp"
+#include "rubato/model/sparse_matrix.hpp"
+
 #include <gtest/gtest.h>
 
 #include "studies.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/core/error.hpp"
+#include "rubato/model/model.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

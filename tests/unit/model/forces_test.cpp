@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Loads of a study as forces on the nodes of a mesh.
+#include "rubato/model/model.hpp"
+
 #include <gtest/gtest.h>
 
 #include "unit/model/meshes.hpp"

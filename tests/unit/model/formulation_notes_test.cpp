@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Which cells are told to be too stiff for their material or their part, and what to write instead.
 #include "rubato/model/formulation_notes.hpp"
+#include "rubato/model/model.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Springs on motions that nothing resists: what they hold and what they let go.
 #include "rubato/model/gauges.hpp"
+#include "rubato/model/model.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Zones whose points may be too many to form what they do to one another are told before the first step.
 #include "rubato/model/large_contact.hpp"
+#include "rubato/model/model.hpp"
 
 #include <gtest/gtest.h>
 

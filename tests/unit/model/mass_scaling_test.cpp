@@ -2,6 +2,7 @@
 #include "rubato/deck/read.hpp"
 #include "rubato/domain/cell_rates.hpp"
 #include "rubato/model/mass_scaling.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/step/explicit/explicit_motion.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Which cells deform and what they are made of.
+#include "rubato/model/build_model.hpp"
+
 #include <gtest/gtest.h>
 
 #include "unit/model/meshes.hpp"

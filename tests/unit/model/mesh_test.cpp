@@ -2,6 +2,7 @@
 // The mesh of a study: generated or read, mended, converted, refined.
 #include "rubato/mesh/io/med.hpp"
 #include "rubato/mesh/orientation.hpp"
+#include "rubato/model/build_model.hpp"
 
 #include <gtest/gtest.h>
 

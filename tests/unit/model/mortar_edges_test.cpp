@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Edges of surfaces in mortar contact are told before the first step.
+#include "rubato/deck/read.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/model/mortar_edges.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Force and moment in cuts of a cantilever, as probes of a run show them.
+#include "rubato/deck/read.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/results/csv.hpp"
-#include "rubato/run/time_loop.hpp"
+#include "rubato/run/run_study.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // What supports along directions and relations leave of the displacements.
+#include "rubato/mesh/mesh.hpp"
+#include "rubato/model/model.hpp"
+
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <gtest/gtest.h>

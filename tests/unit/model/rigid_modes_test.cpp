@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // A static run needs every body held, by supports or by contact with what is held.
+#include "rubato/model/model.hpp"
+
 #include <gtest/gtest.h>
 
 #include "studies.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // The rigid motions of bodies, and which of them supports and contact resist. What users are told:
 // rigid_modes_test.cpp.
+#include "rubato/model/model.hpp"
 #include "rubato/model/rigid_motions.hpp"
 
 #include <gtest/gtest.h>

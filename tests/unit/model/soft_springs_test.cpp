@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/model/model.hpp"
 #include "rubato/model/rigid_motions.hpp"
 #include "rubato/model/soft_springs.hpp"
 

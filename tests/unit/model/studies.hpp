@@ -5,15 +5,12 @@
 #include "rubato/deck/read.hpp"
 #include "rubato/model/model.hpp"
 
+#include "support/model_of.hpp"
 #include "support/two_blocks.hpp"
 #include <string>
 #include <string_view>
 
 namespace rubato::test {
-
-inline study::Study study_of(std::string_view deck) {
-  return deck::parse_deck(deck, "deck.yaml").runs.front();
-}
 
 /// Throws InputError with the places of the deck.
 inline model::Model located_model(std::string_view deck) {

@@ -3,6 +3,7 @@
 #include "rubato/mesh/builder.hpp"
 #include "rubato/mesh/sheet.hpp"
 #include "rubato/model/build.hpp"
+#include "rubato/model/model.hpp"
 
 #include <gtest/gtest.h>
 

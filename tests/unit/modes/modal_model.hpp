@@ -6,14 +6,15 @@
 #include "rubato/modes/modal_study.hpp"
 #include "rubato/modes/modes.hpp"
 
+#include "support/model_of.hpp"
 #include <string>
 #include <vector>
 
 namespace rubato::test {
 
 /// Of its first run.
-inline model::Model modal_model(const std::string& deck, const std::vector<deck::Setting>& changes = {}) {
-  return model::build_model(modes::modal_study(deck::parse_deck(deck, "deck.yaml", changes).runs.front()));
+inline test::BuiltModel modal_model(const std::string& deck, const std::vector<deck::Setting>& changes = {}) {
+  return test::BuiltModel(modes::modal_study(deck::parse_deck(deck, "deck.yaml", changes).runs.front()));
 }
 
 /// A block of cells on another one of the same width: meshes match or not, as `divisions` of the upper one.

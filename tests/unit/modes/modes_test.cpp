@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+
 #include <gtest/gtest.h>
 
 #include "modal_model.hpp"
 #include "support/faults.hpp"
+#include "support/model_of.hpp"
 #include "support/two_blocks.hpp"
 #include <cmath>
 #include <numbers>
@@ -113,7 +115,7 @@ TEST(Modes, AreRefusedWhereNothingCanMove) {
 TEST(Modes, WantANumberAndMasses) {
   const auto model = test::modal_model(bar);
   EXPECT_THROW(modes_of(model, {.number = 0}), std::invalid_argument);
-  EXPECT_THROW(modes_of(model::build_model(deck::parse_deck(bar, "deck.yaml").runs.front()), {}),
+  EXPECT_THROW(modes_of(test::BuiltModel(deck::parse_deck(bar, "deck.yaml").runs.front()), {}),
                std::invalid_argument);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Modes of bodies that relations make rigid, against rigid dynamics.
+#include "rubato/model/model.hpp"
 #include "rubato/modes/modes.hpp"
 
 #include <Eigen/Core>

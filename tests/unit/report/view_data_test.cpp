@@ -4,6 +4,7 @@
 #include "rubato/report/view_data.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "unit/mesh_io/one_cell.hpp"
 #include <algorithm>

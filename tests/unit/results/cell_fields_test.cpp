@@ -14,6 +14,7 @@
 
 #include "support/dense.hpp"
 #include "support/model_of.hpp"
+#include "support/model_parts.hpp"
 #include "support/scratch_folder.hpp"
 #include "unit/mesh_io/one_cell.hpp"
 #include <cmath>
@@ -60,7 +61,7 @@ time: {scheme: static, step: 1, end: 1}
 )";
 
 /// u = (0.01 x + 0.03 y, −0.02 y, 0.004 z): strains xx 0.01, yy −0.02, zz 0.004, xy 0.015.
-step::State stretched(const model::Model& model) {
+step::State stretched(const test::ModelParts& model) {
   step::State state;
   state.motion.u = Eigen::VectorXd::Zero(model.dofs.dof_count);
   for (const auto node : model.dofs.nodes) {

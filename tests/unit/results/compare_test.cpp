@@ -4,7 +4,7 @@
 #include "rubato/results/compare.hpp"
 #include "rubato/results/med_fields.hpp"
 #include "rubato/results/stored_run.hpp"
-#include "rubato/run/time_loop.hpp"
+#include "rubato/run/run_study.hpp"
 #include "rubato/study/stored_fields.hpp"
 
 #include <gtest/gtest.h>

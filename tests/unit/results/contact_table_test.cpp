@@ -2,7 +2,7 @@
 // What contact_<zone>.csv says, beside the resultants and the energy ledger.
 #include "rubato/deck/read.hpp"
 #include "rubato/results/csv.hpp"
-#include "rubato/run/time_loop.hpp"
+#include "rubato/run/run_study.hpp"
 
 #include <gtest/gtest.h>
 

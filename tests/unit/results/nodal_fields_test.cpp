@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Fields at the nodes, and what contact amounts to.
+#include "rubato/contact/zone.hpp"
+#include "rubato/domain/dof_map.hpp"
+#include "rubato/mesh/mesh.hpp"
 #include "rubato/results/nodal_fields.hpp"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include "rubato/results/cell_fields.hpp"
 #include "rubato/results/nodal_fields.hpp"
 #include "rubato/results/probe_values.hpp"
-#include "rubato/simulation/simulation.hpp"
+#include "rubato/simulation/time_integration.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // Probes and checks of stresses, contact, energies and resultants, in a run as a user writes it.
 #include "rubato/deck/read.hpp"
 #include "rubato/results/csv.hpp"
-#include "rubato/run/time_loop.hpp"
+#include "rubato/run/run_study.hpp"
 
 #include <gtest/gtest.h>
 

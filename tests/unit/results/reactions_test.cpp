@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Supports hold what loads, inertia, damping and contact leave: at every instant, whatever the scheme.
-#include "rubato/simulation/simulation.hpp"
+#include "rubato/deck/read.hpp"
+#include "rubato/model/model_forces.hpp"
+#include "rubato/simulation/time_integration.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/decks.hpp"
 #include "support/model_of.hpp"
+#include "support/model_parts.hpp"
 #include <string>
 
 namespace rubato::results::reactions_test {
@@ -29,7 +32,7 @@ time: {scheme: newmark, step: 2e-3, end: 0.04}
 newton: {residual: 1e-12}
 )";
 
-Eigen::Vector2d sum_of(const model::Model& model, const Eigen::VectorXd& forces) {
+Eigen::Vector2d sum_of(const test::ModelParts& model, const Eigen::VectorXd& forces) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (const auto node : model.dofs.nodes)
     for (int i = 0; i < 2; ++i)
@@ -38,7 +41,7 @@ Eigen::Vector2d sum_of(const model::Model& model, const Eigen::VectorXd& forces)
 }
 
 /// What is left of reactions, loads, inertia, damping and contact, over the reactions.
-double unbalance(const model::Model& model, const step::State& state) {
+double unbalance(const test::ModelParts& model, const step::State& state) {
   const bool lumped = model.lumped_mass.size() > 0;
   Eigen::VectorXd rest = state.reaction + model::external_force(model, state.t) - state.contact_force;
   if (lumped)
@@ -59,8 +62,8 @@ struct Case {
 class Reactions : public testing::TestWithParam<Case> {};
 
 TEST_P(Reactions, HoldTheBody) {
-  simulation::Simulation simulation(test::model_of(column, GetParam().changes));
-  const auto& model = simulation.model();
+  simulation::Simulation simulation(test::study_of(column, GetParam().changes));
+  const test::ModelParts model(simulation.model());
   bool touched = false;
   while (!simulation.finished()) {
     ASSERT_TRUE(simulation.advance().accepted());

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // What a small run leaves in its folder.
+#include "rubato/constraint/reduction.hpp"
 #include "rubato/deck/read.hpp"
 #include "rubato/results/med_fields.hpp"
 #include "rubato/results/recorder.hpp"
 #include "rubato/results/stored_run.hpp"
-#include "rubato/run/time_loop.hpp"
+#include "rubato/run/run_study.hpp"
 #include "rubato/study/echo.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "support/faults.hpp"
+#include "support/model_of.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/two_blocks.hpp"
 #include <algorithm>
@@ -96,7 +98,7 @@ TEST_F(RunFolder, KeepsTheWarningsOfTheRunThroughAResumeToo) {
 
 /// Programs that knew linear bodies only began tables with fewer columns.
 TEST_F(RunFolder, GoesOnWithTheEnergiesThatItsTableHas) {
-  const auto model = model::build_model(deck::parse_deck(two_blocks, "deck.yaml").runs.front());
+  const test::BuiltModel model(deck::parse_deck(two_blocks, "deck.yaml").runs.front());
   auto position = Recorder(model, folder_.path()).position();
   const step::EnergyLedger ledger{.kinetic = 3, .strain = 4, .impact = 6, .start = 13};
   const std::string old = "t,kinetic,strain,impact,balance\n0,1,2,-3,0\n";
@@ -165,7 +167,7 @@ TEST_F(RunFolder, HoldsWhatIsTakenOfTheNodesOfAGroup) {
   EXPECT_LT(last(history, "mean.y"), last(history, "most.y"));
   EXPECT_GE(last(history, "most.y"), 0) << "its corner is held";
   EXPECT_LE(last(history, "least.y"), last(history, "end.y"));
-  const auto model = model::build_model(deck::parse_deck(two_blocks, "deck.yaml").runs.front());
+  const test::BuiltModel model(deck::parse_deck(two_blocks, "deck.yaml").runs.front());
   double sum = 0;
   for (const auto& support : model.reduction.prescribed())
     if (support.dof % 2 == 1)

@@ -2,7 +2,7 @@
 // A recorder as an observer: what another observer did not take is in no file.
 #include "rubato/results/csv.hpp"
 #include "rubato/results/recorder.hpp"
-#include "rubato/simulation/simulation.hpp"
+#include "rubato/simulation/time_integration.hpp"
 
 #include "support/scratch_folder.hpp"
 #include "support/simulated_blocks.hpp"

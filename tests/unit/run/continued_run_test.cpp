@@ -3,7 +3,7 @@
 #include "rubato/deck/read.hpp"
 #include "rubato/results/checkpoint.hpp"
 #include "rubato/results/run_folder.hpp"
-#include "rubato/run/time_loop.hpp"
+#include "rubato/run/run_study.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

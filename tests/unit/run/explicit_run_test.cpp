@@ -2,7 +2,7 @@
 // Explicit runs: the steps they choose, what they refuse, and what they write.
 #include "rubato/deck/read.hpp"
 #include "rubato/results/csv.hpp"
-#include "rubato/run/time_loop.hpp"
+#include "rubato/run/run_study.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/model_of.hpp"
 #include "support/two_blocks.hpp"
 #include <algorithm>
 #include <set>
@@ -20,7 +21,7 @@ using step::Unmet;
 class FailureOf {
 public:
   explicit FailureOf(const std::string& deck)
-      : model_(model::build_model(deck::parse_deck(deck, "deck.yaml").runs.front())) {}
+      : model_(test::BuiltModel(deck::parse_deck(deck, "deck.yaml").runs.front())) {}
 
   /// A step that ended so, at the whole of its length.
   results::Failure with(Outcome outcome, std::vector<Unmet> unmet) const {
@@ -41,7 +42,7 @@ public:
   const study::Study& study() const { return model_.study; }
 
 private:
-  model::Model model_;
+  test::BuiltModel model_;
 };
 
 bool has(const std::vector<std::string>& lines, const std::string& part) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Interference fits: bodies that overlap when the run begins, and the energy that the overlap gives them.
+#include "rubato/contact/zone.hpp"
+#include "rubato/deck/read.hpp"
 #include "rubato/run/energy_watch.hpp"
 #include "rubato/step/energy.hpp"
 

@@ -2,7 +2,7 @@
 // A run that is asked to end inside a step, and goes on.
 #include "rubato/deck/read.hpp"
 #include "rubato/results/csv.hpp"
-#include "rubato/run/time_loop.hpp"
+#include "rubato/run/run_study.hpp"
 
 #include <gtest/gtest.h>
 

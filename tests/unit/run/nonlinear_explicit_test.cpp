@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Explicit runs of nonlinear bodies that hit each other and rub: checkpoints, stages, ends.
+#include "rubato/deck/read.hpp"
 #include "rubato/domain/recovery.hpp"
 #include "rubato/results/checkpoint.hpp"
-#include "rubato/run/time_loop.hpp"
+#include "rubato/run/run_study.hpp"
 
 #include <gtest/gtest.h>
 

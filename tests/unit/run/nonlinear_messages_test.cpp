@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // What is said of runs of nonlinear bodies: how they are solved, why steps fail, what may help.
+#include "rubato/domain/bulk.hpp"
 #include "rubato/modes/modal_study.hpp"
 #include "rubato/modes/modes.hpp"
 #include "rubato/results/attempt_json.hpp"
 #include "rubato/run/advice.hpp"
 #include "rubato/run/failure.hpp"
-#include "rubato/run/time_loop.hpp"
-#include "rubato/simulation/simulation.hpp"
+#include "rubato/run/run_study.hpp"
+#include "rubato/simulation/time_integration.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "support/faults.hpp"
+#include "support/model_of.hpp"
+#include "support/model_parts.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/solid_materials.hpp"
 #include <algorithm>
@@ -63,18 +66,18 @@ results::Failure failure_with(Outcome outcome, std::vector<step::Unmet> unmet) {
   return failure;
 }
 
-std::vector<std::string> advice_for(const model::Model& model, const results::Failure& failure) {
+std::vector<std::string> advice_for(const test::ModelParts& model, const results::Failure& failure) {
   return advice(model, time::make_scheme(model.study.time), failure);
 }
 
-results::Failure inverted_cell(const model::Model& model) {
+results::Failure inverted_cell(const test::ModelParts& model) {
   auto failure = failure_with(Outcome::cell_failed, {{.criterion = Criterion::cell, .node = 1}});
   failure.report.failed_cell = domain::CellFailure{element::Failure::inverted, model.bulk.cells.front(), 2};
   return failure;
 }
 
 TEST(AFailedStepOfNonlinearBodies, NamesTheCellThatHasNoForces) {
-  const auto model = model::build_model(plastic());
+  const test::BuiltModel model(plastic());
   const auto text = explain(model, inverted_cell(model));
   expect_in(text, "(a cell has no forces, 0 iterations); ");
   expect_in(text, domain::cell_label(model.mesh, model.bulk.cells.front()) +
@@ -90,14 +93,14 @@ TEST(AFailedStepOfNonlinearBodies, IsAdvisedAnotherFormulationOfEnhancedCells) {
   auto study = plastic();
   study.materials[0].strain = study::StrainKind::small;
   study.materials[0].formulation = study::Formulation::enhanced;
-  const auto model = model::build_model(study);
+  const test::BuiltModel model(study);
   EXPECT_TRUE(has(advice_for(model, inverted_cell(model)), "materials.metal.formulation: mean_dilatation"));
 }
 
 TEST(AFailedStepOfNonlinearBodies, TellsOfPlasticStrainThatGrewTooMuch) {
   auto study = plastic();
   study.time.max_plastic_step = 0.01;
-  const auto model = model::build_model(study);
+  const test::BuiltModel model(study);
   const auto failure =
       failure_with(Outcome::plastic_step,
                    {{.criterion = Criterion::plastic_step, .node = 1, .value = 0.03, .allowed = 0.01}});
@@ -110,12 +113,12 @@ TEST(AFailedStepOfNonlinearBodies, TellsOfPlasticStrainThatGrewTooMuch) {
 TEST(AFailedStepOfNonlinearBodies, TellsOfStatesThatAreNotStable) {
   auto failure = failure_with(Outcome::too_many_iterations, {});
   failure.report.indefinite = true;
-  const auto quasistatic = model::build_model(plastic());
+  const test::BuiltModel quasistatic(plastic());
   expect_in(explain(quasistatic, failure),
             "the effective matrix without contact was not positive definite: the state is not "
             "stable under these loads");
   EXPECT_TRUE(has(advice_for(quasistatic, failure), "supports that move in the place of loads"));
-  const auto dynamic = model::build_model(plastic(moving));
+  const test::BuiltModel dynamic(plastic(moving));
   expect_in(explain(dynamic, failure), "not positive definite: a part buckles");
   EXPECT_FALSE(has(advice_for(dynamic, failure), "supports that move"));
 }
@@ -132,7 +135,7 @@ TEST(AFailedStepOfNonlinearBodies, IsToldOfByTheRun) {
 }
 
 TEST(AttemptsOfNonlinearBodies, SayHowTheBulkWasSolved) {
-  const auto model = model::build_model(plastic());
+  const test::BuiltModel model(plastic());
   step::StepReport report;
   report.outcome = Outcome::converged;
   report.bulk_iterations = 4;
@@ -154,7 +157,7 @@ TEST(AttemptsOfNonlinearBodies, SayHowTheBulkWasSolved) {
   study.materials[0].law = study::LawKind::elastic;
   study.materials[0].strain.reset();
   const auto linear =
-      results::to_json(model::build_model(study), simulation::Attempt{.accepted = true}, report);
+      results::to_json(test::BuiltModel(study), simulation::Attempt{.accepted = true}, report);
   for (const auto* key :
        {"bulk_iterations", "factorisations", "bulk_residuals", "indefinite", "exact_tangent"})
     EXPECT_FALSE(linear.contains(key)) << key;
@@ -185,7 +188,7 @@ TEST(TheLogOfNonlinearBodies, SaysWhatDampingIsMadeOf) {
 }
 
 TEST(ModesOfNonlinearBodies, SayThatTheyAreOfTheUndeformedShape) {
-  const auto model = model::build_model(modes::modal_study(plastic(moving)));
+  const test::BuiltModel model(modes::modal_study(plastic(moving)));
   EXPECT_TRUE(
       has(modes::modes_of(model, {.number = 2}).notes, "small vibrations about their undeformed shape"));
 }

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/model_of.hpp"
+#include "support/model_parts.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/simulated_blocks.hpp"
 #include "support/solid_materials.hpp"
@@ -128,7 +130,7 @@ INSTANTIATE_TEST_SUITE_P(Bodies, Resumed,
 
 // ---- from the end of another run
 
-double most_plastic_strain(const model::Model& model, const step::State& state) {
+double most_plastic_strain(const test::ModelParts& model, const step::State& state) {
   const auto values = domain::nodal_plastic_strain(model.mesh, model.bulk, model.dofs, state.motion.u, {},
                                                    &state.bulk_points);
   return values.maxCoeff();

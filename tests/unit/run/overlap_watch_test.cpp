@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Bodies that come from afar in one step are found, and one that came too deep is told.
+#include "rubato/deck/read.hpp"
 #include "rubato/run/overlap_watch.hpp"
 
 #include <gtest/gtest.h>

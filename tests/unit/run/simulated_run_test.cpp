@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // A run is a simulation that is recorded: both come to the same end.
-#include "rubato/run/time_loop.hpp"
-#include "rubato/simulation/simulation.hpp"
+#include "rubato/run/run_study.hpp"
+#include "rubato/simulation/time_integration.hpp"
 
 #include "support/scratch_folder.hpp"
 #include "support/simulated_blocks.hpp"

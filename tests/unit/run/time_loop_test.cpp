@@ -6,7 +6,7 @@
 #include "rubato/results/csv.hpp"
 #include "rubato/results/run_folder.hpp"
 #include "rubato/results/stored_run.hpp"
-#include "rubato/run/time_loop.hpp"
+#include "rubato/run/run_study.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Loads along a path of equilibrium: past limit loads, with and without contact.
-#include "rubato/model/model.hpp"
-#include "rubato/simulation/simulation.hpp"
+#include "rubato/deck/read.hpp"
+#include "rubato/model/build_model.hpp"
+#include "rubato/simulation/time_integration.hpp"
 #include "rubato/step/energy.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "support/model_of.hpp"
 #include "support/walk.hpp"
 #include <algorithm>
 #include <cmath>
@@ -21,7 +23,7 @@ constexpr double rise = 0.12;
 constexpr double force = 100; ///< per area of the crown, of which the half arch has 0.02
 
 /// Half of a clamped shallow arch: a strip that is bent to a parabola.
-model::Model arch(const std::string& rest) {
+test::BuiltModel arch(const std::string& rest) {
   const auto study = deck::parse_deck(R"(mesh:
   generate:
     - {name: arch, rectangle: {from: [-1, -0.01], to: [0, 0.01]}, divisions: [12, 1], cells: quad8,
@@ -34,7 +36,7 @@ materials: {a: {young: 1e6, poisson: 0, strain: green_lagrange}}
   auto mesh = model::load_mesh(study.mesh);
   for (auto& point : mesh.points)
     point[1] += rise * (1 - point[0] * point[0]);
-  return model::build_model(study, std::move(mesh));
+  return test::BuiltModel(study, std::move(mesh));
 }
 
 const std::string pushed = R"(supports: [{on: clamp, fix: [x, y]}, {on: crown, fix: x}]
@@ -123,7 +125,7 @@ time: {scheme: static, step: 0.05, end: 1, arc_length: {length: 1.2, on: inner}}
     point[0] = angle == std::numbers::pi / 2 ? 0 : radius * std::cos(angle);
     point[1] = radius * std::sin(angle);
   }
-  test::Walk walk(model::build_model(study, std::move(mesh)));
+  test::Walk walk(study, std::move(mesh));
   double largest = 0;
   walk.accepted = [&] {
     const double stretch = 1 + walk.displacement(walk.node_at(1, 0), 0);

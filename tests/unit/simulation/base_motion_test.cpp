@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Bases that move: against the solution of the semidiscrete bar, and counted from the base against counted
 /// from the place where it was.
+#include "rubato/constraint/reduction.hpp"
 #include "rubato/core/time_integral.hpp"
+#include "rubato/domain/domain.hpp"
+#include "rubato/model/model_forces.hpp"
+#include "rubato/study/study.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support/dense.hpp"
+#include "support/model_of.hpp"
+#include "support/model_parts.hpp"
 #include "support/walk.hpp"
 #include <algorithm>
 #include <cmath>
@@ -39,8 +45,8 @@ time: {}
 /// an error of time.
 class SemidiscreteBar {
 public:
-  SemidiscreteBar(const model::Model& model, const model::SparseMatrix& mass, double omega)
-      : model_(&model),
+  SemidiscreteBar(const test::ModelParts& model, const model::SparseMatrix& mass, double omega)
+      : model_(model),
         modes_(test::general_modes(MatrixXd(model.reduction.reduced(model.domain.initial_tangent())),
                                    MatrixXd(model.reduction.reduced(mass)))),
         omega_(omega) {
@@ -57,11 +63,11 @@ public:
       q[k] = part_[k] * (std::sin(omega_ * t) - omega_ / own * std::sin(own * t)) /
              (own * own - omega_ * omega_);
     }
-    return model_->reduction.scatter(modes_.vectors * q);
+    return model_.reduction.scatter(modes_.vectors * q);
   }
 
 private:
-  const model::Model* model_;
+  test::ModelParts model_;
   test::GeneralModes modes_;
   double omega_;
   VectorXd part_;
@@ -89,8 +95,8 @@ TEST(BaseMotion, MovesTheSemidiscreteBarAsItsModesSay) {
 /// Lumped masses have forces of inertia, too.
 TEST(BaseMotion, MovesTheBarExplicitlyAlike) {
   Simulation simulation(
-      test::model_of(bar("{scheme: central_difference, step: 2.5e-4, record: 0.01, end: 4}", shaken)));
-  const auto& model = simulation.model();
+      test::study_of(bar("{scheme: central_difference, step: 2.5e-4, record: 0.01, end: 4}", shaken)));
+  const test::ModelParts model(simulation.model());
   const model::SparseMatrix mass(MatrixXd(model.lumped_mass.asDiagonal()).sparseView());
   const SemidiscreteBar exact(model, mass, 0.8 * std::acos(-1.0));
   double off = 0;
@@ -162,11 +168,11 @@ double base_at(const std::string& motion, double t) {
 TEST_P(BothFrames, GiveTheSameMotion) {
   const auto& [name, time, motion, more, tolerance] = GetParam();
   const auto in_frame = [&, &time = time, &motion = motion, &more = more](const std::string& frame) {
-    return test::model_of(bar(time, more + "base_motion: {x: " + motion + ", frame: " + frame + "}\n"));
+    return test::study_of(bar(time, more + "base_motion: {x: " + motion + ", frame: " + frame + "}\n"));
   };
   Simulation relative(in_frame("relative"));
   Simulation absolute(in_frame("absolute"));
-  const auto& dofs = relative.model().dofs;
+  const auto& dofs = test::ModelParts(relative.model()).dofs;
   double off = 0;
   double largest = 0;
   while (!relative.finished()) {

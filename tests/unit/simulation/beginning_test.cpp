@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Where simulations begin, and what they refuse.
+#include "rubato/deck/read.hpp"
+
 #include "support/faults.hpp"
 #include "support/simulated_blocks.hpp"
 #include <algorithm>

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // The ledger of runs with bodies beyond linear elasticity: it closes with every scheme, law and neighbour,
 // and its entries are those of closed forms.
-#include "rubato/simulation/simulation.hpp"
+#include "rubato/domain/domain.hpp"
+#include "rubato/simulation/time_integration.hpp"
 #include "rubato/study/formulation.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support/bulk_laws.hpp"
+#include "support/model_parts.hpp"
 #include "support/simulated_blocks.hpp"
 #include <cmath>
 #include <string>
@@ -99,11 +101,12 @@ TEST_P(RunOf, ClosesItsLedger) {
   go_to_end(simulation);
   EXPECT_TRUE(touched);
   EXPECT_GT(std::abs(simulation.energy().friction), 0);
-  const auto material = simulation.model().study.materials.front();
+  const auto material = test::ModelParts(simulation.model()).study.materials.front();
   EXPECT_EQ(simulation.energy().plastic > 0, material.law == study::LawKind::plastic);
   EXPECT_EQ(simulation.energy().back_stress > 0, material.law == study::LawKind::plastic);
   EXPECT_EQ(simulation.energy().viscous > 0, material.law == study::LawKind::prony);
-  const bool keeps_energy = simulation.model().study.time.scheme == study::SchemeKind::energy_momentum;
+  const bool keeps_energy =
+      test::ModelParts(simulation.model()).study.time.scheme == study::SchemeKind::energy_momentum;
   EXPECT_EQ(simulation.energy().bulk_scheme != 0,
             study::strain_of(material) != study::StrainKind::small && !keeps_energy);
   EXPECT_EQ(simulation.energy().hourglass > 0, material.formulation == study::Formulation::reduced);
@@ -135,7 +138,7 @@ TEST_P(RunWith, LinearNeighboursClosesItsLedger) {
                          "[-20, 0, 0, 10]}}]";
     changes.push_back({"time", time});
     Simulation simulation(study_with(beams, GetParam(), changes));
-    ASSERT_FALSE(simulation.model().domain.is_linear());
+    ASSERT_FALSE(test::ModelParts(simulation.model()).domain.is_linear());
     go_to_end(simulation);
     EXPECT_NE(simulation.energy().heat, 0);
   }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Attempts that fail: cut, told of, counted, and given up.
+#include "rubato/deck/read.hpp"
+
 #include "support/decks.hpp"
 #include "support/simulated_blocks.hpp"
 #include <cmath>

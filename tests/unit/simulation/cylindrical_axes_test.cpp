@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tubes whose axes of orthotropy turn with the place.
 #include "rubato/deck/read.hpp"
-#include "rubato/model/model.hpp"
-#include "rubato/simulation/simulation.hpp"
+#include "rubato/model/build_model.hpp"
+#include "rubato/simulation/time_integration.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support/faults.hpp"
+#include "support/model_of.hpp"
+#include "support/model_parts.hpp"
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -55,10 +57,11 @@ struct Solved {
 };
 
 Solved solved(const study::Study& study, const mesh::Mesh& mesh) {
-  Simulation simulation(model::build_model(study, mesh));
+  const test::BuiltModel built(study, mesh);
+  Simulation simulation(built);
   while (!simulation.finished())
     simulation.advance();
-  return {mesh, simulation.model().dofs, simulation.state().motion.u};
+  return {mesh, test::ModelParts(simulation.model()).dofs, simulation.state().motion.u};
 }
 
 /// x' radial, y' around, z' along.
@@ -157,7 +160,7 @@ TEST(AnOrthotropicTube, TurnedAsAWholeGivesTheTurnedAnswer) {
 std::string told(const std::string& deck) {
   return test::fault_of([&] {
     const auto study = study_of(deck);
-    model::build_model(study);
+    test::BuiltModel{study};
   });
 }
 

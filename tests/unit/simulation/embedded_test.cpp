@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Nodes and places that move with the cells they lie in, masses of references, forces and moments out.
+#include "rubato/domain/dof_map.hpp"
+#include "rubato/mesh/mesh.hpp"
+#include "rubato/model/model_forces.hpp"
 #include "rubato/results/nodal_fields.hpp"
 #include "rubato/results/probe_values.hpp"
 

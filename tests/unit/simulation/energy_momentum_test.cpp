@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// The scheme energy_momentum, from decks: what elastic bodies in finite strain keep, alone, in contact,
 /// under loads, and how its steps are solved.
+#include "rubato/domain/dof_map.hpp"
+#include "rubato/domain/domain.hpp"
+#include "rubato/mesh/mesh.hpp"
 #include "rubato/step/energy.hpp"
 
 #include <Eigen/Geometry>

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Values that are fields of files: written by this program's writers, read back as loads, supports, gaps and
 // materials, they give what the expressions give that made them.
+#include "rubato/deck/read.hpp"
 #include "rubato/mesh/io/med.hpp"
 #include "rubato/mesh/io/mesh_file.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/results/med_fields.hpp"
 #include "rubato/results/vtu.hpp"
-#include "rubato/simulation/simulation.hpp"
+#include "rubato/simulation/time_integration.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Pressures that follow their faces, in steps.
+
+#include "rubato/domain/bulk.hpp"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "support/model_of.hpp"
+#include "support/model_parts.hpp"
 #include "support/walk.hpp"
 #include <algorithm>
 #include <cmath>
@@ -66,7 +71,7 @@ time: )" +
 }
 
 /// Of the deformed cells.
-double volume(const model::Model& model, const Eigen::VectorXd& u) {
+double volume(const test::ModelParts& model, const Eigen::VectorXd& u) {
   double sum = 0;
   for (const auto cell : model.bulk.cells) {
     const auto nodes = model.mesh.nodes_of(cell);
@@ -84,8 +89,8 @@ double volume(const model::Model& model, const Eigen::VectorXd& u) {
 TEST(FollowerPressure, DoesTheWorkOfTheVolumeThatIsLost) {
   for (const std::string time :
        {"{scheme: newmark, step: 1e-3, end: 0.2}", "{scheme: central_difference, record: 1e-3, end: 0.2}"}) {
-    Simulation simulation(test::model_of(block(time)));
-    const auto& model = simulation.model();
+    Simulation simulation(test::study_of(block(time)));
+    const test::ModelParts model(simulation.model());
     double work = 0;
     double last = volume(model, simulation.state().motion.u);
     while (!simulation.finished()) {

@@ -2,7 +2,7 @@
 // Cumulated slip and work of friction at the contact points, beside the energy ledger.
 #include "rubato/contact/friction_history.hpp"
 #include "rubato/deck/read.hpp"
-#include "rubato/simulation/simulation.hpp"
+#include "rubato/simulation/time_integration.hpp"
 
 #include <gtest/gtest.h>
 

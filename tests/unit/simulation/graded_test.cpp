@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Bodies whose material depends on the place, from the deck to displacements, stresses and masses.
+#include "rubato/deck/read.hpp"
+#include "rubato/domain/cut.hpp"
+#include "rubato/domain/domain.hpp"
 #include "rubato/domain/recovery.hpp"
-#include "rubato/simulation/simulation.hpp"
+#include "rubato/model/build_model.hpp"
+#include "rubato/model/model_forces.hpp"
+#include "rubato/simulation/time_integration.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -228,7 +233,7 @@ TEST(AnyExpressionOfAMaterial, GivesAModelOrOneSentence) {
     auto varied = study;
     const auto text = random_expression(random, 1 + static_cast<int>(random() % 3));
     varied.materials[0].in_place["young"] = study::Formula{text};
-    const auto fault = test::fault_of([&] { model::build_model(varied, mesh); });
+    const auto fault = test::fault_of([&] { test::BuiltModel(varied, mesh); });
     if (fault == "nothing thrown") {
       ++built;
       continue;

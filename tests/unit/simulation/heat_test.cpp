@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Bodies that expand by their temperature: closed forms, ledgers, condensed steps against whole ones.
+#include "rubato/deck/read.hpp"
+#include "rubato/domain/cut.hpp"
+#include "rubato/domain/domain.hpp"
 #include "rubato/domain/recovery.hpp"
 
 #include <fmt/format.h>
@@ -215,8 +218,7 @@ time: {}
 
 TEST_P(HeatedBlocks, ClosesItsLedger) {
   const auto& course = GetParam();
-  Simulation simulation(
-      model::build_model(deck::parse_deck(blocks(course, "auto"), "deck.yaml").runs.front()));
+  Simulation simulation(deck::parse_deck(blocks(course, "auto"), "deck.yaml").runs.front());
   while (!simulation.finished())
     ASSERT_TRUE(simulation.advance().accepted());
   const auto energy = simulation.energy();

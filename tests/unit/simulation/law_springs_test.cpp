@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Springs and dashpots by tables: straight ones against linear ones, stops and bumpers against closed forms.
+#include "rubato/deck/read.hpp"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -87,8 +89,7 @@ TEST(LawSprings, GiveTheElongationOfTheirTable) {
 TEST(LawSprings, AreLinearOnesInExplicitSteps) {
   const std::string time = "{scheme: central_difference, step: 1e-5, end: 0.02}";
   const auto end_of = [&](const std::string& connector) {
-    Simulation simulation(
-        model::build_model(deck::parse_deck(plate(connector, time), "deck.yaml").runs.front()));
+    Simulation simulation(deck::parse_deck(plate(connector, time), "deck.yaml").runs.front());
     while (!simulation.finished())
       EXPECT_TRUE(simulation.advance().accepted());
     const auto energy = simulation.energy();

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Damping of natural modes against Rayleigh's, where both are the same, and against one mode's closed form.
+
+#include "rubato/constraint/reduction.hpp"
+#include "rubato/domain/domain.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include "support/dense.hpp"
 #include "support/faults.hpp"
+#include "support/model_parts.hpp"
 #include "support/walk.hpp"
 #include <cmath>
 #include <string>
@@ -33,7 +38,7 @@ time: {}
 }
 
 /// ω of all modes, ascending.
-VectorXd angular_frequencies(const model::Model& model) {
+VectorXd angular_frequencies(const test::ModelParts& model) {
   const MatrixXd k(model.reduction.reduced(model.domain.initial_tangent()));
   const MatrixXd m(model.reduction.reduced(model.mass));
   return test::general_modes(k, m).values.cwiseSqrt();

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Bodies beyond linear elasticity that expand by their temperature: closed forms, ledgers, fields.
+#include "rubato/domain/cut.hpp"
+#include "rubato/domain/domain.hpp"
 #include "rubato/domain/recovery.hpp"
-#include "rubato/simulation/simulation.hpp"
+#include "rubato/simulation/time_integration.hpp"
 #include "rubato/step/energy.hpp"
 #include "rubato/study/formulation.hpp"
 
@@ -78,7 +80,7 @@ class FreeBodyOf : public testing::TestWithParam<std::tuple<NamedLaw, std::strin
 TEST_P(FreeBodyOf, ExpandsWithoutStress) {
   const auto& [law, physics] = GetParam();
   const auto study = study_with(free_body(physics), law);
-  test::Walk walk(model::build_model(study));
+  test::Walk walk(study);
   ASSERT_TRUE(walk.to_end());
   const double stretch = stretch_of(study.materials[0]);
   for (const auto node : walk.model.dofs.nodes) {
@@ -202,7 +204,7 @@ TEST_P(HeatedBody, ClosesItsLedger) {
   auto study = study_with(deck, law);
   if (explicit_run && study.materials[0].formulation == study::Formulation::enhanced)
     GTEST_SKIP() << "explicit runs have no such cells";
-  Simulation simulation(model::build_model(study));
+  Simulation simulation(study);
   step::EnergyRecord record;
   while (!simulation.finished()) {
     ASSERT_TRUE(simulation.advance().accepted());

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Forces that nonlinear bodies transmit where they are cut, against loads, reactions and inertia.
+#include "rubato/domain/cut.hpp"
+#include "rubato/domain/domain.hpp"
 #include "rubato/mesh/names.hpp"
+#include "rubato/model/model_forces.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "support/model_of.hpp"
 #include "support/solid_materials.hpp"
 #include "support/walk.hpp"
 #include <string>
@@ -98,7 +102,7 @@ void expect_near(const Vector3d& value, const Vector3d& expected, double part) {
 TEST(SectionsOfNonlinearBodies, AreInBalanceWithTheLoadOnTheDeformedBody) {
   auto study = study_with(steady);
   make_logarithmic(study);
-  test::Walk walk(model::build_model(study));
+  test::Walk walk(study);
   walk.to_end();
   EXPECT_GT(walk.state().motion.u.lpNorm<Eigen::Infinity>(), 0.3);
   EXPECT_GT(walk.state().bulk_points.values.size(), 0U);
@@ -113,7 +117,7 @@ TEST(SectionsOfNonlinearBodies, AreInBalanceWithTheLoadOnTheDeformedBody) {
 TEST(SectionsOfNonlinearBodies, AreTheReactionsAtASupport) {
   auto study = study_with(steady);
   make_logarithmic(study);
-  test::Walk walk(model::build_model(study));
+  test::Walk walk(study);
   walk.to_end();
   Vector3d reactions = Vector3d::Zero();
   for (const auto node : mesh::find_nodes(walk.model.mesh, "held").nodes) {
@@ -128,7 +132,7 @@ TEST(SectionsOfNonlinearBodies, AreTheReactionsAtASupport) {
 TEST(SectionsOfNonlinearBodies, AreInBalanceInTheUndeformedBodyOfSmallStrains) {
   auto study = study_with(steady);
   test::make_plastic(study.materials[0], 20, 50); // the other one stays linear
-  test::Walk walk(model::build_model(study));
+  test::Walk walk(study);
   walk.to_end();
   for (const auto& [probe, x, y] :
        {std::tuple{0U, 1., 0.5}, std::tuple{1U, 2., 0.25}, std::tuple{2U, 3., 0.}})
@@ -138,7 +142,7 @@ TEST(SectionsOfNonlinearBodies, AreInBalanceInTheUndeformedBodyOfSmallStrains) {
 TEST(SectionsOfNonlinearBodies, AreInBalanceWithInertia) {
   auto study = study_with(moving);
   make_logarithmic(study);
-  test::Walk walk(model::build_model(study));
+  test::Walk walk(study);
   walk.to_end();
   EXPECT_GT(walk.state().motion.a.lpNorm<Eigen::Infinity>(), 0.1);
   for (const auto& [probe, x, y] :

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Runs with contact between orthotropic beams, from the deck to the ledger.
 #include "rubato/deck/read.hpp"
-#include "rubato/simulation/simulation.hpp"
+#include "rubato/simulation/time_integration.hpp"
 
 #include <gtest/gtest.h>
 

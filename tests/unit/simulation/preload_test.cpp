@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Bolts that are tightened, against hand calculations with bars.
 #include "rubato/core/error.hpp"
+#include "rubato/deck/read.hpp"
 #include "rubato/domain/cut.hpp"
+#include "rubato/model/preloads.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "support/model_of.hpp"
+#include "support/model_parts.hpp"
 #include "support/walk.hpp"
 #include <algorithm>
 #include <cmath>
@@ -47,11 +51,12 @@ constexpr double bolt = 2e5 / 4;
 constexpr double plates = 2 * 3e4 / 4;
 
 double force_in(const Simulation& simulation, std::size_t probe) {
-  return domain::forces_at(simulation.model().probe_cuts[probe], simulation.state().motion.u)[1];
+  return domain::forces_at(test::ModelParts(simulation.model()).probe_cuts[probe],
+                           simulation.state().motion.u)[1];
 }
 
 double height(const Simulation& simulation) {
-  const auto& model = simulation.model();
+  const test::ModelParts model(simulation.model());
   for (const auto node : model.dofs.nodes)
     if (model.mesh.points[static_cast<std::size_t>(node)].isApprox(Eigen::Vector3d(1, 4, 0)))
       return simulation.state().motion.u[model.dofs.dof(node, 1)];
@@ -59,7 +64,7 @@ double height(const Simulation& simulation) {
 }
 
 double shortening(const Simulation& simulation) {
-  const auto& model = simulation.model();
+  const test::ModelParts model(simulation.model());
   const auto& pair = model.preloads.at(0).pairs.front();
   const auto& u = simulation.state().motion.u;
   return u[model.dofs.dof(pair.behind, 1)] - u[model.dofs.dof(pair.in_front, 1)];
@@ -76,7 +81,7 @@ std::string pulled(double p) {
 }
 
 TEST(Preload, ByAForceIsWhatTheCutTransmits) {
-  Simulation simulation(test::model_of(joint("force: 100, function: tighten", pulled(60))));
+  Simulation simulation(test::study_of(joint("force: 100, function: tighten", pulled(60))));
   go_to(simulation, 1);
   EXPECT_NEAR(force_in(simulation, 0), 100, 1e-9);
   EXPECT_NEAR(force_in(simulation, 1), 100, 1e-9);
@@ -93,7 +98,7 @@ TEST(Preload, ByAForceIsWhatTheCutTransmits) {
 }
 
 TEST(Preload, ThatIsLockedLetsBoltAndPlatesShareLoads) {
-  Simulation simulation(test::model_of(joint("force: 100, function: tighten, lock: 1", pulled(60))));
+  Simulation simulation(test::study_of(joint("force: 100, function: tighten, lock: 1", pulled(60))));
   go_to(simulation, 2);
   EXPECT_NEAR(force_in(simulation, 0), 100 + 60 * bolt / (bolt + plates), 1e-9);
   EXPECT_NEAR(height(simulation), -100 / plates + 60 / (bolt + plates), 1e-10);
@@ -103,14 +108,14 @@ TEST(Preload, ThatIsLockedLetsBoltAndPlatesShareLoads) {
 
 /// More than 100 (1 + bolt/plates) opens the joint: the bolt alone carries what pulls.
 TEST(Preload, ThatIsOvercomeLeavesAllToTheBolt) {
-  Simulation simulation(test::model_of(
+  Simulation simulation(test::study_of(
       joint("force: 100, function: tighten, lock: 1", pulled(500) + "springs: [{on: under, y: 1e-3}]\n")));
   go_to(simulation, 2);
   EXPECT_NEAR(force_in(simulation, 0), 500, 1e-3);
 }
 
 TEST(Preload, ByAShorteningIsDoneBySupports) {
-  Simulation simulation(test::model_of(joint("displacement: 1e-2, function: tighten", "")));
+  Simulation simulation(test::study_of(joint("displacement: 1e-2, function: tighten", "")));
   go_to(simulation, 1);
   const double force = 1e-2 / (1 / plates + 1 / bolt);
   EXPECT_NEAR(shortening(simulation), 1e-2, 1e-16);
@@ -121,7 +126,7 @@ TEST(Preload, ByAShorteningIsDoneBySupports) {
 
 TEST(Preload, IsLockedInDynamicRuns) {
   for (const auto* time : {"{scheme: hht, alpha: -0.1, step: 0.02, end: 2}", "{step: 0.02, end: 2}"}) {
-    Simulation simulation(test::model_of(joint("force: 100, function: tighten, lock: 1", pulled(60), time)));
+    Simulation simulation(test::study_of(joint("force: 100, function: tighten, lock: 1", pulled(60), time)));
     double balance = 0;
     while (!simulation.finished()) {
       ASSERT_TRUE(simulation.advance().accepted());
@@ -134,14 +139,14 @@ TEST(Preload, IsLockedInDynamicRuns) {
 
 TEST(Preload, GoesOnFromAMementoToTheSameBits) {
   const auto deck = joint("force: 100, function: tighten, lock: 1", pulled(60));
-  Simulation whole(test::model_of(deck));
+  Simulation whole(test::study_of(deck));
   std::vector<Memento> mementos;
   while (!whole.finished()) {
     ASSERT_TRUE(whole.advance().accepted());
     mementos.push_back(whole.memento());
   }
   for (const auto& memento : mementos) {
-    Simulation rest(test::model_of(deck), {.memento = &memento});
+    Simulation rest(test::study_of(deck), {.memento = &memento});
     while (!rest.finished())
       ASSERT_TRUE(rest.advance().accepted());
     EXPECT_EQ(rest.state().motion.u, whole.state().motion.u) << "from t = " << memento.state.t;
@@ -150,14 +155,14 @@ TEST(Preload, GoesOnFromAMementoToTheSameBits) {
 
 /// A run that starts from the end of another one may lock at its begin.
 TEST(Preload, IsLockedAtTheBeginOfARunThatGoesOn) {
-  Simulation first(test::model_of(joint("force: 100", "", "{scheme: static, step: 1, end: 1}")));
+  Simulation first(test::study_of(joint("force: 100", "", "{scheme: static, step: 1, end: 1}")));
   go_to(first, 1);
   const auto runs =
       deck::parse_deck(joint("force: 100", pulled(60), "{scheme: static, step: 1, end: 1}") +
                            "runs:\n  one: {}\n  two: {time: {begin: 1, end: 2, start: {from: one}}, "
                            "preload: {m1: {lock: 1}}}\n",
                        "deck.yaml");
-  Simulation second(model::build_model(runs.runs.at(1)), {.previous = &first.state()});
+  Simulation second(runs.runs.at(1), {.previous = &first.state()});
   go_to(second, 2);
   EXPECT_NEAR(force_in(second, 0), 100 + 60 * bolt / (bolt + plates), 1e-9);
 }

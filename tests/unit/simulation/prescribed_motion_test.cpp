@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Supports that are given by velocities and accelerations.
+#include "rubato/constraint/reduction.hpp"
 #include "rubato/core/error.hpp"
+#include "rubato/study/study.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "support/model_of.hpp"
+#include "support/model_parts.hpp"
 #include "support/walk.hpp"
 #include <algorithm>
 #include <cmath>
@@ -117,8 +121,8 @@ TEST(PrescribedMotion, MovesExplicitRunsAlike) {
   for (const auto& motion : moved()) {
     if (motion.name == "AlongADirection")
       continue; // refused by explicit runs
-    Simulation simulation(test::model_of(bar(on_right(motion.support), explicit_steps)));
-    const auto& model = simulation.model();
+    Simulation simulation(test::study_of(bar(on_right(motion.support), explicit_steps)));
+    const test::ModelParts model(simulation.model());
     int dof = -1;
     for (const auto node : model.dofs.nodes)
       if (model.mesh.points[static_cast<std::size_t>(node)].isApprox(Eigen::Vector3d(1, 0, 0)))

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Studies with relations: condensed steps against whole ones, turned models against upright ones, resultants
 /// and energies.
+#include "rubato/constraint/reduction.hpp"
+#include "rubato/deck/read.hpp"
+#include "rubato/model/build_model.hpp"
+
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "support/model_of.hpp"
 #include "support/walk.hpp"
 #include <algorithm>
 #include <cmath>
@@ -154,10 +159,10 @@ TEST(ATurnedModel, HasTheAnswerOfTheUprightOneTurned) {
                        course.time, "auto"));
     study.newton.residual = 1e-14; // what it leaves would count as a difference
     auto mesh = model::load_mesh(study.mesh);
-    test::Walk upright(model::build_model(study, mesh));
+    test::Walk upright(study, mesh);
     for (auto& point : mesh.points)
       point = q * point;
-    test::Walk oblique(model::build_model(turned(study, q), mesh));
+    test::Walk oblique(turned(study, q), mesh);
     ASSERT_TRUE(upright.to_end());
     ASSERT_TRUE(oblique.to_end());
     const auto& u = upright.state().motion.u;

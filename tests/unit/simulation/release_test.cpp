@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Supports that end during a run.
 #include "rubato/core/error.hpp"
+#include "rubato/study/study.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "support/model_of.hpp"
+#include "support/model_parts.hpp"
 #include "support/walk.hpp"
 #include <algorithm>
 #include <cmath>
@@ -39,7 +42,7 @@ struct Swing {
 };
 
 Swing swing(Simulation& simulation, double angle) {
-  const auto& model = simulation.model();
+  const test::ModelParts model(simulation.model());
   int dof = -1;
   for (const auto node : model.dofs.nodes)
     if (model.mesh.points[static_cast<std::size_t>(node)].isApprox(Eigen::Vector3d(1, 0, 0)))
@@ -62,7 +65,7 @@ TEST(Release, LetsAnOscillatorSwingAsItsSchemeDoesExactly) {
   const double omega = std::sqrt(4. / 1.); // k = E A/L, m = ρ A L/3
   for (const auto* time : {"{scheme: newmark, step: 0.02, end: 4}", "{theta: 0.5, step: 0.02, end: 4}",
                            "{scheme: newmark, step: 0.02, end: 4}\nsolver: full"}) {
-    Simulation simulation(test::model_of(oscillator(time)));
+    Simulation simulation(test::study_of(oscillator(time)));
     const auto found = swing(simulation, 2 * std::atan(omega * step / 2));
     EXPECT_LE(found.off, 1e-13) << time;
     EXPECT_LE(found.balance, 1e-12) << time;
@@ -70,7 +73,7 @@ TEST(Release, LetsAnOscillatorSwingAsItsSchemeDoesExactly) {
 }
 
 TEST(Release, LeavesStatesAloneThatOthersHold) {
-  Simulation simulation(test::model_of(oscillator("{scheme: newmark, step: 0.02, end: 0.2}")));
+  Simulation simulation(test::study_of(oscillator("{scheme: newmark, step: 0.02, end: 0.2}")));
   std::vector<std::shared_ptr<const step::State>> held;
   std::vector<Eigen::VectorXd> accelerations;
   while (!simulation.finished()) {
@@ -86,7 +89,7 @@ TEST(Release, LeavesStatesAloneThatOthersHold) {
 TEST(Release, LetsAnOscillatorSwingExplicitly) {
   const double omega = std::sqrt(4. / 1.5);
   Simulation simulation(
-      test::model_of(oscillator("{scheme: central_difference, step: 0.02, record: 0.02, end: 4}")));
+      test::study_of(oscillator("{scheme: central_difference, step: 0.02, record: 0.02, end: 4}")));
   const auto found = swing(simulation, 2 * std::asin(omega * step / 2));
   EXPECT_LE(found.off, 1e-13);
   EXPECT_LE(found.balance, 1e-12);
@@ -134,7 +137,7 @@ TEST_P(ReleasedBlock, KeepsItsEnergyAcrossReleases) {
     const bool is_explicit = GetParam().find("central") != std::string::npos;
     if (is_explicit && *related != 0)
       continue;
-    Simulation simulation(test::model_of(pressed("{" + GetParam() + "}", pressed_roof + related)));
+    Simulation simulation(test::study_of(pressed("{" + GetParam() + "}", pressed_roof + related)));
     double balance = 0;
     while (!simulation.finished()) {
       ASSERT_TRUE(simulation.advance().accepted());
@@ -154,14 +157,14 @@ INSTANTIATE_TEST_SUITE_P(By, ReleasedBlock,
 /// The memento may be of the instant itself, before or after the next step has begun.
 TEST(Release, GoesOnFromAMementoToTheSameBits) {
   const auto deck = pressed("{scheme: hht, alpha: -0.1, step: 1e-4, end: 2e-3}", pressed_roof);
-  Simulation whole(test::model_of(deck));
+  Simulation whole(test::study_of(deck));
   std::vector<Memento> mementos;
   while (!whole.finished()) {
     ASSERT_TRUE(whole.advance().accepted());
     mementos.push_back(whole.memento());
   }
   for (const auto& memento : mementos) {
-    Simulation rest(test::model_of(deck), {.memento = &memento});
+    Simulation rest(test::study_of(deck), {.memento = &memento});
     while (!rest.finished())
       ASSERT_TRUE(rest.advance().accepted());
     EXPECT_EQ(rest.state().motion.u, whole.state().motion.u) << "from t = " << memento.state.t;
@@ -171,13 +174,13 @@ TEST(Release, GoesOnFromAMementoToTheSameBits) {
 
 TEST(Release, GoesBackInExplicitRuns) {
   const auto deck = pressed("{scheme: central_difference, record: 1e-4, end: 2e-3}", pressed_roof);
-  Simulation whole(test::model_of(deck));
+  Simulation whole(test::study_of(deck));
   std::vector<Memento> mementos;
   while (!whole.finished()) {
     ASSERT_TRUE(whole.advance().accepted());
     mementos.push_back(whole.memento());
   }
-  Simulation again(test::model_of(deck));
+  Simulation again(test::study_of(deck));
   for (auto memento = mementos.rbegin(); memento != mementos.rend(); ++memento) {
     again.restore(*memento);
     while (!again.finished())

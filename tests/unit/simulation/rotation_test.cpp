@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Supports that rotate whole groups.
+#include "rubato/constraint/reduction.hpp"
 #include "rubato/results/probe_values.hpp"
+#include "rubato/study/study.hpp"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "support/model_of.hpp"
+#include "support/model_parts.hpp"
 #include "support/walk.hpp"
 #include <cmath>
 #include <string>
@@ -115,9 +120,9 @@ TEST(RotatingSupport, BeginsWithTheRatesOfItsAngle) {
 }
 
 TEST(RotatingSupport, RotatesInExplicitRuns) {
-  Simulation simulation(test::model_of(beam("{on: left, rotate: {about: [0, -3], angle: {velocity: 0.1}}}",
+  Simulation simulation(test::study_of(beam("{on: left, rotate: {about: [0, -3], angle: {velocity: 0.1}}}",
                                             "{scheme: central_difference, record: 0.05, end: 0.5}")));
-  const auto& model = simulation.model();
+  const test::ModelParts model(simulation.model());
   while (!simulation.finished())
     ASSERT_TRUE(simulation.advance().accepted());
   const auto& state = simulation.state();

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Step by step to the end, on from mementos, and interrupted.
+
+#include "support/model_of.hpp"
 #include "support/simulated_blocks.hpp"
 #include <memory>
 #include <stdexcept>
@@ -67,7 +69,7 @@ TEST_P(Simulated, KeepsItsModelWhenItIsMoved) {
   ASSERT_TRUE(blocks.advance().accepted());
   auto moved = std::move(blocks);
   go_to_end(moved);
-  const auto model = model::build_model(study());
+  const test::BuiltModel model(study());
   Simulation of_model(model);
   go_to_end(of_model);
   expect_same(moved, of_model);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // One step tried in several ways until one of them converges.
+#include "rubato/deck/read.hpp"
 #include "rubato/step/advance.hpp"
 
 #include <gtest/gtest.h>

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "rubato/deck/read.hpp"
+#include "rubato/domain/domain.hpp"
 #include "rubato/step/common/bulk_tangent.hpp"
 #include "rubato/step/start.hpp"
 
@@ -53,9 +54,9 @@ class AnyStates {
 public:
   explicit AnyStates(const NamedScheme& chosen) : AnyStates(model_of(pulled_block, chosen.settings)) {}
   /// `size`: of motions and forces; nonlinear cells keep their shape where it is small beside them.
-  explicit AnyStates(model::Model given, double size = 1) : model(std::move(given)), size_(size) {}
+  explicit AnyStates(test::BuiltModel given, double size = 1) : model(std::move(given)), size_(size) {}
 
-  const model::Model model;
+  const test::BuiltModel model;
   const time::Scheme scheme = time::make_scheme(model.study.time);
 
   Eigen::VectorXd anything() {

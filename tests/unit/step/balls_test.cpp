@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Two elastic balls pressed on each other, up to the axis of revolution (H. Hertz, J. reine angew. Math. 92,
 /// 1881).
+#include "rubato/contact/zone.hpp"
+#include "rubato/deck/read.hpp"
 #include "rubato/mesh/orientation.hpp"
+#include "rubato/model/build_model.hpp"
+#include "rubato/results/nodal_fields.hpp"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -103,7 +107,7 @@ TEST_P(Balls, TouchAsHertzSays) {
   const auto study = deck::parse_deck(deck(GetParam()), "deck.yaml", {}).runs.front();
   auto mesh = as_balls(model::load_mesh(study.mesh));
   mesh::mend_orientation(mesh);
-  Walk walk(model::build_model(study, std::move(mesh)));
+  Walk walk(study, std::move(mesh));
   ASSERT_TRUE(walk.to_end());
   const double stiffness = young / (1 - poisson * poisson) / 2;
   const double curvature = radius / 2;

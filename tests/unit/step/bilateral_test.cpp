@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Bilateral contact: surfaces that have touched slide on each other, and do not part any more.
+#include "rubato/deck/read.hpp"
 #include "rubato/step/energy.hpp"
 
 #include <gtest/gtest.h>

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "support/bulk_laws.hpp"
+#include "support/model_of.hpp"
 #include "unit/step/any_state.hpp"
 #include <cmath>
 #include <stdexcept>
@@ -68,7 +69,7 @@ protected:
 };
 
 TEST_P(LedgerOf, ClosesWhateverAStepDoes) {
-  AnyStates any(model::build_model(test::study_with(test::pulled_block, law_, scheme_.settings)), size);
+  AnyStates any(test::BuiltModel(test::study_with(test::pulled_block, law_, scheme_.settings)), size);
   expect_closing(any, law_.name);
 }
 
@@ -84,13 +85,13 @@ TEST_P(LedgerIn, SpaceCloses) {
        "{left: clamp, right: pulled}}]}"},
       {"physics", "solid"},
       {"supports.0.fix", "[x, y, z]"}};
-  AnyStates any(model::build_model(test::study_with(test::pulled_block, GetParam(), solid)), size);
+  AnyStates any(test::BuiltModel(test::study_with(test::pulled_block, GetParam(), solid)), size);
   expect_closing(any, "solid");
 }
 
 TEST_P(LedgerIn, RingsClose) {
   AnyStates any(
-      model::build_model(test::study_with(test::pulled_block, GetParam(), {{"physics", "axisymmetric"}})),
+      test::BuiltModel(test::study_with(test::pulled_block, GetParam(), {{"physics", "axisymmetric"}})),
       size);
   expect_closing(any, "axisymmetric");
 }
@@ -108,8 +109,8 @@ TEST_P(LedgerIn, MixedBodiesClose) {
   for (const auto* scheme : {"newmark", "moreau_jean", "energy_momentum"}) {
     if (std::string(scheme) == "energy_momentum" && !test::is_elastic(GetParam()))
       continue;
-    AnyStates any(model::build_model(test::study_with(test::pulled_block, GetParam(),
-                                                      joined(mixed, {{"time.scheme", scheme}}))),
+    AnyStates any(test::BuiltModel(test::study_with(test::pulled_block, GetParam(),
+                                                    joined(mixed, {{"time.scheme", scheme}}))),
                   size);
     ASSERT_FALSE(any.model.domain.is_linear());
     expect_closing(any, scheme);
@@ -117,7 +118,7 @@ TEST_P(LedgerIn, MixedBodiesClose) {
 }
 
 TEST(BalanceOfMaterials, NeedsRecordsOfBothEnds) {
-  const AnyStates any(model::build_model(test::study_with(test::pulled_block, test::every_law.front())));
+  const AnyStates any(test::BuiltModel(test::study_with(test::pulled_block, test::every_law.front())));
   const auto& domain = any.model.domain;
   EXPECT_THROW(domain.balance(domain.initial_states(), domain.initial_states()), std::invalid_argument);
   EXPECT_THROW(domain.back_stress_energy(domain.initial_states()), std::invalid_argument);

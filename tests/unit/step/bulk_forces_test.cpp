@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// What the state carries of internal forces, M v and M a instead of computing them again, and of what
 /// materials remember.
+#include "rubato/deck/read.hpp"
+#include "rubato/domain/domain.hpp"
 #include "rubato/step/explicit/explicit_motion.hpp"
+#include "rubato/step/start.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/decks.hpp"
+#include "support/model_of.hpp"
 #include "support/walk.hpp"
 #include <string>
 
@@ -63,7 +67,7 @@ TEST(StatesOfMaterials, GoFromExplicitStepToStep) {
                                            {"time.scheme", "central_difference"},
                                            {"time.alpha", ""},
                                            {"time.step", ""}};
-  const auto model = model::build_model(deck::parse_deck(test::two_beams, "deck.yaml", changes).runs.front());
+  const test::BuiltModel model(deck::parse_deck(test::two_beams, "deck.yaml", changes).runs.front());
   ExplicitMotion motion(model);
   auto memory = motion.memory();
   memory.bulk_points = marked;

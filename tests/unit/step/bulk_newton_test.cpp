@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Steps of bodies that yield, turn and stretch.
+#include "rubato/domain/dof_map.hpp"
+#include "rubato/mesh/mesh.hpp"
 #include "rubato/mesh/names.hpp"
 #include "rubato/step/advance.hpp"
 

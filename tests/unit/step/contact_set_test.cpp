@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Which points are in contact: those that must be, and no others.
+#include "rubato/contact/zone.hpp"
+
 #include <gtest/gtest.h>
 
 #include "support/decks.hpp"

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// A block pressed into the corner of a floor and a wall: the node in the corner is a slave of both.
+#include "rubato/contact/zone.hpp"
+#include "rubato/deck/read.hpp"
+
 #include <gtest/gtest.h>
 
 #include "support/walk.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // The ledger of implicit steps is an identity of every scheme's formulas: it closes for whatever a step does.
 #include "rubato/deck/read.hpp"
+#include "rubato/domain/domain.hpp"
 #include "rubato/step/advance.hpp"
 #include "rubato/step/energy.hpp"
 #include "rubato/step/start.hpp"
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "support/decks.hpp"
+#include "support/model_parts.hpp"
 #include "support/walk.hpp"
 #include "unit/step/any_state.hpp"
 #include <cmath>
@@ -25,7 +27,7 @@ using test::NamedScheme;
 class Ledger : public testing::TestWithParam<NamedScheme> {
 protected:
   AnyStates any_{GetParam()};
-  const model::Model& model_ = any_.model;
+  const test::ModelParts& model_ = any_.model;
   const time::Scheme& scheme_ = any_.scheme;
 };
 

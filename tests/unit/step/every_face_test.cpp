@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Exact contact on every slave face: quadratic ones, whose points share multipliers, converge as others do.
+#include "rubato/contact/zone.hpp"
+#include "rubato/deck/read.hpp"
+
 #include <gtest/gtest.h>
 
 #include "support/walk.hpp"

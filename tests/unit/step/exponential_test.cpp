@@ -11,6 +11,7 @@
 #include <cmath>
 #include <ostream>
 #include <string>
+#include <tuple>
 
 namespace rubato::step::exponential_test {
 namespace {

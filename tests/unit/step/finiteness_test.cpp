@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // What is named when a step meets a value that is not finite.
+#include "rubato/contact/zone.hpp"
+#include "rubato/domain/dof_map.hpp"
+#include "rubato/mesh/mesh.hpp"
+#include "rubato/model/node_label.hpp"
 #include "rubato/step/finiteness.hpp"
 
 #include <gtest/gtest.h>

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Forces of a whole step, of all cells and springs together: their tangents, and what they are of linear
 // parts.
+#include "rubato/domain/domain.hpp"
 #include "rubato/step/energy.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/bulk_laws.hpp"
+#include "support/model_of.hpp"
 #include "unit/step/any_state.hpp"
 #include <string>
 #include <vector>
@@ -34,7 +36,7 @@ const std::vector<deck::Setting> beside_linear{
 
 class ForcesOfAStep : public testing::TestWithParam<test::NamedLaw> {
 protected:
-  test::AnyStates any_{model::build_model(test::study_with(test::pulled_block, GetParam(), beside_linear)),
+  test::AnyStates any_{test::BuiltModel(test::study_with(test::pulled_block, GetParam(), beside_linear)),
                        small_motion};
   const domain::Domain& domain_ = any_.model.domain;
   VectorXd u0_ = any_.anything(), u1_ = any_.anything();

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Static runs of bodies that nothing but contact and friction holds.
+#include "rubato/contact/zone.hpp"
+#include "rubato/deck/read.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/run/failure.hpp"
 #include "rubato/step/energy.hpp"
 
@@ -212,7 +215,7 @@ std::string saddle_deck(int cells) {
 TEST(FreeSaddle, DropsOnAPin) {
   for (const int cells : {24, 30}) {
     const auto study = deck::parse_deck(saddle_deck(cells), "deck.yaml", {}).runs.front();
-    Walk walk(model::build_model(study, wrapped(model::load_mesh(study.mesh))));
+    Walk walk(study, wrapped(model::load_mesh(study.mesh)));
     ASSERT_TRUE(walk.to_end()) << cells;
     EXPECT_EQ(walk.reports.size(), 1U) << "the step was cut";
     EXPECT_LE(most_iterations(walk), 20) << cells;
@@ -251,7 +254,7 @@ TEST(FreeRing, HangsOnAPinWithoutFriction) {
   const std::vector<deck::Setting> smooth{{"contact.rest.friction", "0"}};
   for (const double load : {7.8e4, 1e6, 1e8}) {
     const auto study = deck::parse_deck(ring_deck(96, load), "deck.yaml", smooth).runs.front();
-    Walk walk(model::build_model(study, test::closed_rings(model::load_mesh(study.mesh))));
+    Walk walk(study, test::closed_rings(model::load_mesh(study.mesh)));
     ASSERT_TRUE(walk.to_end()) << load;
     EXPECT_EQ(walk.reports.size(), 1U) << "the step was cut";
     EXPECT_LE(most_iterations(walk), 10) << load;
@@ -268,7 +271,7 @@ TEST(FreeRing, DropsOnAPinWithoutFriction) {
         changes.push_back(
             {"mesh.generate.0.rectangle.to", "[6.283185307179586, " + std::to_string(1 - drop) + "]"});
         const auto study = deck::parse_deck(ring_deck(cells, load), "deck.yaml", changes).runs.front();
-        Walk walk(model::build_model(study, test::closed_rings(model::load_mesh(study.mesh))));
+        Walk walk(study, test::closed_rings(model::load_mesh(study.mesh)));
         EXPECT_EQ(walk.model.notes.size(), 1U);
         ASSERT_TRUE(walk.to_end()) << cells << " " << drop << " " << load;
         EXPECT_EQ(walk.reports.size(), 1U) << "the step was cut";
@@ -286,7 +289,7 @@ TEST(FreeRing, IsHeldByFrictionOnAPin) {
   for (const int cells : {43, 47, 55})
     for (const double load : {7.8e4, 1e6, 1e8}) {
       const auto study = deck::parse_deck(ring_deck(cells, load), "deck.yaml", {}).runs.front();
-      Walk walk(model::build_model(study, test::closed_rings(model::load_mesh(study.mesh))));
+      Walk walk(study, test::closed_rings(model::load_mesh(study.mesh)));
       ASSERT_TRUE(walk.to_end()) << cells << " " << load;
       EXPECT_EQ(walk.reports.size(), 1U) << "the step was cut";
       EXPECT_LE(most_iterations(walk), 25) << cells << " " << load;
@@ -306,7 +309,7 @@ TEST(FreeRing, HasALedgerThatClosesInManySteps) {
                                                {"mesh.generate.0.rectangle.to", "[6.283185307179586, 0.9]"},
                                                {"time.step", "0.1"}};
       const auto study = deck::parse_deck(ring_deck(cells, 7.8e4), "deck.yaml", changes).runs.front();
-      Walk walk(model::build_model(study, test::closed_rings(model::load_mesh(study.mesh))));
+      Walk walk(study, test::closed_rings(model::load_mesh(study.mesh)));
       EnergyRecord record;
       while (!walk.finished()) {
         ASSERT_TRUE(walk.advance()) << cells << " " << friction;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Contact with the geometry of the undeformed bodies.
+#include "rubato/deck/read.hpp"
+
 #include <gtest/gtest.h>
 
 #include "support/simulated_blocks.hpp"

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// A block on a plane: forces that statics give without any mechanics of bodies.
+#include "rubato/domain/dof_map.hpp"
+#include "rubato/mesh/mesh.hpp"
+
 #include <gtest/gtest.h>
 
 #include "support/decks.hpp"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Gaps and interferences that are expressions of place and time.
+#include "rubato/contact/zone.hpp"
 #include "rubato/core/error.hpp"
+#include "rubato/mesh/mesh.hpp"
 #include "rubato/step/energy.hpp"
 
 #include <gtest/gtest.h>

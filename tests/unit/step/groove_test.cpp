@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// A roller in a groove, held by two lines of contact with friction and by nothing else. Where both slide, as
 /// they do when its weight comes on, nothing but the change of geometry resists its turning.
+#include "rubato/deck/read.hpp"
+#include "rubato/model/build_model.hpp"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +25,7 @@ using test::Walk;
 constexpr double flank_angle = 50 * std::numbers::pi / 180; // of the flanks, from the horizontal
 
 /// A tube of outer radius 1; flanks as tall as it, drawn flat at x = 10 and 20, y from −0.5 to 0.
-model::Model roller_in_groove(const std::string& cells, double weight, double aside) {
+test::BuiltModel roller_in_groove(const std::string& cells, double weight, double aside) {
   const auto study = deck::parse_deck(fmt::format(R"(mesh:
   generate:
     - {{name: roller, rectangle: {{from: [0, 0.4], to: [6.283185307179586, 0.9999]}}, divisions: [28, 3], cells: {0},
@@ -60,7 +63,7 @@ time: {{scheme: static, step: 0.25, end: 2}}
     if (place.x() > 19.5)
       mesh.points[i] = onto_flank(place.x() - 20, place.y(), 1);
   }
-  return model::build_model(study, mesh);
+  return test::BuiltModel(study, mesh);
 }
 
 class Groove : public testing::TestWithParam<std::tuple<std::string, double>> {};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Interference and gap: what a deck takes from the gaps of the mesh, and what it adds.
+#include "rubato/deck/read.hpp"
 #include "rubato/step/energy.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Zones of one study, each with a method of its own.
+#include "rubato/contact/zone.hpp"
+#include "rubato/deck/read.hpp"
 #include "rubato/step/energy.hpp"
 
 #include <gtest/gtest.h>

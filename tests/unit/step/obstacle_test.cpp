@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Steps against rigid obstacles: what a meshed rigid master does, the energy they give, and what only they
 // can: round ones.
+#include "rubato/deck/read.hpp"
 #include "rubato/step/energy.hpp"
 #include "rubato/step/explicit/explicit_motion.hpp"
 
 #include <gtest/gtest.h>
 
+#include "support/model_of.hpp"
 #include "support/walk.hpp"
 #include <cmath>
 #include <string>
@@ -139,7 +141,7 @@ TEST(PlaneByCentralDifferences, DoesWhatAFoundationOfHeldNodesDoes) {
   const Changes changes{{"time", "{scheme: central_difference, step: auto, end: 0.2}"},
                         {foot + "method", "penalty"}};
   const auto model_of = [&](const std::string& deck) {
-    return model::build_model(deck::parse_deck(deck, "deck.yaml", changes).runs.front());
+    return test::BuiltModel(deck::parse_deck(deck, "deck.yaml", changes).runs.front());
   };
   const auto meshed = model_of(on_foundation);
   const auto plane = model_of(on_plane());
@@ -168,7 +170,7 @@ TEST(PlaneByCentralDifferences, EntersItsWorkToRounding) {
                         {"supports", "[{on: top, x: 0, y: -0.001}]"},
                         {foot + "obstacle.move.x", "{value: 1, function: ramp}"},
                         {foot + "obstacle.move.y", "{value: 0.1, function: ramp}"}};
-  const auto model = model::build_model(deck::parse_deck(on_plane(), "deck.yaml", changes).runs.front());
+  const test::BuiltModel model(deck::parse_deck(on_plane(), "deck.yaml", changes).runs.front());
   ExplicitMotion motion(model);
   motion.advance(0.002, 100);
   const double before = motion.energy().balance();

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Mortar contact where gaps open within a face and where masters lie behind one another: nothing presses
 // before it touches.
+#include "rubato/contact/zone.hpp"
+#include "rubato/deck/read.hpp"
+
 #include <gtest/gtest.h>
 
+#include "support/model_parts.hpp"
 #include "support/walk.hpp"
 #include <string>
 #include <vector>
@@ -32,7 +36,7 @@ time: {scheme: static, step: 1, end: 1}
 )";
 }
 
-std::size_t zone_of_plate(const model::Model& model) {
+std::size_t zone_of_plate(const test::ModelParts& model) {
   for (std::size_t z = 0; z < model.zones.size(); ++z)
     if (model.zones[z].settings.name == "c_plate")
       return z;

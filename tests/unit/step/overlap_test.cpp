@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Energy of bodies that overlap when a run begins.
+#include "rubato/contact/zone.hpp"
+#include "rubato/domain/dof_map.hpp"
 #include "rubato/step/overlap.hpp"
 
 #include <gtest/gtest.h>

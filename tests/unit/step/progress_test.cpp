@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Steps that are asked to end: in every loop they have, and nothing is left of them.
+#include "rubato/contact/zone.hpp"
+#include "rubato/deck/read.hpp"
+#include "rubato/step/advance.hpp"
 #include "rubato/step/progress.hpp"
 
 #include <gtest/gtest.h>

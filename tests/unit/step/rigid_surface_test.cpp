@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Masters that are faces without cells behind them: rigid surfaces drawn as a mesh.
+#include "rubato/deck/read.hpp"
 #include "rubato/mesh/builder.hpp"
+#include "rubato/model/build_model.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/faults.hpp"
+#include "support/model_of.hpp"
 #include "support/walk.hpp"
 #include <array>
 #include <string>
@@ -108,11 +111,11 @@ TEST(RigidSurface, IsThePlaneThatItDraws) {
     for (const std::string time :
          {"{scheme: static, step: 0.5, end: 1}", "{scheme: hht, alpha: -0.3, step: 0.1, end: 1}"}) {
       const auto study = before_plane(deck, time);
-      Walk plane{model::build_model(study)};
+      Walk plane{study};
       ASSERT_TRUE(plane.to_end());
       for (const auto sense : {Sense::up, Sense::down, Sense::mixed}) {
         const auto drawn = on_table(deck, time);
-        Walk table{model::build_model(drawn, with_table(drawn, sense))};
+        Walk table{drawn, with_table(drawn, sense)};
         ASSERT_TRUE(table.to_end());
         expect_same_motion(table, plane);
       }
@@ -121,7 +124,7 @@ TEST(RigidSurface, IsThePlaneThatItDraws) {
 
 TEST(RigidSurface, IsMetByEveryDefaultScheme) {
   const auto drawn = on_table(plane_deck, "{step: 1e-2, end: 0.5}");
-  Walk table{model::build_model(drawn, with_table(drawn, Sense::up))};
+  Walk table{drawn, with_table(drawn, Sense::up)};
   ASSERT_TRUE(table.to_end());
   EXPECT_GT(table.resultants().force.y(), 0);
 }
@@ -135,7 +138,7 @@ TEST(RigidSurface, RotatesByAnyAngle) {
                   {"time", "{scheme: static, step: 0.25, end: 1}"},
                   {"supports", "[{on: roof, fix: [x, y, z]}, {on: table, y: {value: 0.03, function: push}, " +
                                    motion + "}]"}});
-    Walk walk{model::build_model(study, with_table(study, Sense::up))};
+    Walk walk{study, with_table(study, Sense::up)};
     EXPECT_TRUE(walk.to_end());
     return walk.state().motion.u;
   };
@@ -147,7 +150,7 @@ TEST(RigidSurface, RotatesByAnyAngle) {
 
 std::string refused(const std::vector<deck::Setting>& changes, Sense sense = Sense::up) {
   const auto study = study_of(plane_deck, changes);
-  return test::fault_of([&] { model::build_model(study, with_table(study, sense)); });
+  return test::fault_of([&] { test::BuiltModel(study, with_table(study, sense)); });
 }
 
 TEST(RigidSurface, HasEveryComponentHeld) {

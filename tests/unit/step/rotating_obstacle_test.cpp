@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Obstacles that rotate: what they carry and drag, with which forces, and the work they do.
 #include "rubato/contact/pairing.hpp"
+#include "rubato/deck/read.hpp"
 #include "rubato/step/energy.hpp"
 #include "rubato/step/explicit/explicit_motion.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "support/model_of.hpp"
 #include "support/walk.hpp"
 #include <cmath>
 #include <string>
@@ -268,7 +270,7 @@ TEST(RollerByCentralDifferences, DragsTheBlockAndEntersItsWork) {
                         {"functions.press.times", "[0, 0.1]"},
                         {"functions.roll.times", "[0.1, 0.4]"},
                         {"supports.0.y.value", "-0.01"}};
-  const auto model = model::build_model(deck::parse_deck(on_roller, "deck.yaml", changes).runs.front());
+  const test::BuiltModel model(deck::parse_deck(on_roller, "deck.yaml", changes).runs.front());
   ExplicitMotion motion(model);
   motion.advance(0.35, 3000);
   const auto before = motion.energy();

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // One body that touches itself: a ring pressed flat, a clip that closes, a hairpin folded in space.
+#include "rubato/contact/zone.hpp"
+#include "rubato/deck/read.hpp"
+#include "rubato/model/build_model.hpp"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "support/model_of.hpp"
 #include "support/walk.hpp"
 #include <cmath>
 #include <map>
@@ -91,7 +96,7 @@ struct Bent {
 };
 
 /// A body of `bent`, pressed from above and below.
-model::Model pressed(const Bent& bent, const std::vector<Setting>& changes) {
+test::BuiltModel pressed(const Bent& bent, const std::vector<Setting>& changes) {
   const auto study = deck::parse_deck(bent.deck, "deck.yaml", changes).runs.front();
   auto mesh = model::load_mesh(study.mesh);
   if (bent.closed)
@@ -99,7 +104,7 @@ model::Model pressed(const Bent& bent, const std::vector<Setting>& changes) {
   for (auto& point : mesh.points)
     point = bent.shape(point);
   mark(bent.marks, mesh);
-  return model::build_model(study, std::move(mesh));
+  return test::BuiltModel(study, std::move(mesh));
 }
 
 /// A plane body that is pressed by `each` from above and below.

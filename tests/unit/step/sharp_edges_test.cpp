@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // A slave surface with edges of 90°: a node there is a mortar point on each side of the edge.
+#include "rubato/model/model.hpp"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support/faults.hpp"
+#include "support/model_of.hpp"
 #include "support/walk.hpp"
 #include <string>
 

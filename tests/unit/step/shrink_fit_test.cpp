@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // A ring shrunk onto another one, by springs: nodes of both sides stand on each other, each in a valley
 // between two faces of the master.
+#include "rubato/deck/read.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/step/energy.hpp"
 
 #include <gtest/gtest.h>
 
+#include "support/model_of.hpp"
 #include "support/walk.hpp"
 #include <cmath>
 #include <numbers>
@@ -31,7 +34,7 @@ contact: {fit: {master: outer_face, slave: inner_face, method: nodal_penalty}}
 time: {scheme: static, step: 1, end: 1}
 )";
 
-model::Model rolled_up(const std::vector<Setting>& changes, double size) {
+test::BuiltModel rolled_up(const std::vector<Setting>& changes, double size) {
   const auto study = deck::parse_deck(rings, "deck.yaml", changes).runs.front();
   auto mesh = model::load_mesh(study.mesh);
   for (auto& point : mesh.points) {
@@ -41,7 +44,7 @@ model::Model rolled_up(const std::vector<Setting>& changes, double size) {
     if (std::abs(point[0]) < 1e-12 * radius)
       point[0] = 0;
   }
-  return model::build_model(study, std::move(mesh));
+  return test::BuiltModel(study, std::move(mesh));
 }
 
 double force_of(const std::vector<Setting>& changes, double size = 1) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Studies whose Newton iterations go slowly along a few directions, since operators are held in each: a
 /// ring's section that turns on its facets, a roller that dents its race in one node.
+#include "rubato/deck/read.hpp"
+#include "rubato/model/build_model.hpp"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +26,7 @@ struct Squeezed {
   int faces = 28;
 };
 
-model::Model tube_between_plates(const Squeezed& with) {
+test::BuiltModel tube_between_plates(const Squeezed& with) {
   const auto study =
       deck::parse_deck(fmt::format(R"(mesh:
   generate:
@@ -60,7 +63,7 @@ time: {{scheme: static, step: 0.1, end: {7}}}
       mesh.points[i] = {place.x() - 11, place.y() - 1, 0};
     mesh.points[i].x() += with.middle;
   }
-  return model::build_model(study, mesh);
+  return test::BuiltModel(study, mesh);
 }
 
 class SqueezedRing : public testing::TestWithParam<std::string> {};

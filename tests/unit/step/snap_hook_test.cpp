@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // A flexible arm with a hook at its end snaps over a round cam: a point that only contact holds aside,
 // normals that turn by 54° within a face, and a way that ends in a fall.
+#include "rubato/deck/read.hpp"
+#include "rubato/model/build_model.hpp"
+
 #include <gtest/gtest.h>
 
 #include "support/walk.hpp"
@@ -60,7 +63,7 @@ struct Snap {
 
 Snap snap(const std::string& deck) {
   const auto study = deck::parse_deck(deck, "deck.yaml", {}).runs.front();
-  test::Walk walk(model::build_model(study, bent(model::load_mesh(study.mesh))));
+  test::Walk walk(study, bent(model::load_mesh(study.mesh)));
   Snap snap;
   walk.accepted = [&] {
     double pull = 0;

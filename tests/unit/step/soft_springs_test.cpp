@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Static runs of bodies that soft springs keep from being lost, as users of other codes add them: contact
 /// says where such a body is.
+#include "rubato/deck/read.hpp"
+#include "rubato/model/build_model.hpp"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -89,7 +92,7 @@ Eigen::Vector3d turned_as_pins(double angle, double radius) {
 /// facets alone resist their turning.
 class SprungRing : public testing::TestWithParam<double> {
 protected:
-  static model::Model model(double stiffness) {
+  static test::BuiltModel model(double stiffness) {
     const auto study = deck::parse_deck(R"(mesh:
   generate:
     - {name: pin, rectangle: {from: [0, 0.3], to: [6.283185307179586, 0.9999]}, divisions: [40, 5],
@@ -106,7 +109,7 @@ time: {scheme: static, step: 0.25, end: 1}
 )",
                                         "deck.yaml")
                            .runs.front();
-    return model::build_model(study, test::closed_rings(model::load_mesh(study.mesh), turned_as_pins));
+    return test::BuiltModel(study, test::closed_rings(model::load_mesh(study.mesh), turned_as_pins));
   }
 };
 

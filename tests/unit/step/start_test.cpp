@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// How a run begins: loads that are there from the first instant, and runs that go on from others.
+#include "rubato/constraint/reduction.hpp"
+#include "rubato/deck/read.hpp"
+#include "rubato/domain/dof_map.hpp"
+#include "rubato/domain/domain.hpp"
+#include "rubato/model/model_forces.hpp"
 #include "rubato/step/energy.hpp"
+#include "rubato/step/start.hpp"
 
 #include <Eigen/SparseCholesky>
 #include <gtest/gtest.h>

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tied surfaces, in statics and in motion.
 #include "rubato/core/error.hpp"
+#include "rubato/deck/read.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/step/energy.hpp"
 
 #include <gtest/gtest.h>
 
+#include "support/model_of.hpp"
 #include "support/simulated_blocks.hpp"
 #include "support/walk.hpp"
 #include <string>

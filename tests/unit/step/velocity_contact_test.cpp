@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Contact as a law of velocities: what moreau_jean asks of points that touch.
 #include "rubato/contact/velocity_frames.hpp"
+#include "rubato/contact/zone.hpp"
+#include "rubato/deck/read.hpp"
+#include "rubato/domain/dof_map.hpp"
+#include "rubato/mesh/mesh.hpp"
 #include "rubato/step/common/contact_evaluator.hpp"
 #include "rubato/step/energy.hpp"
 

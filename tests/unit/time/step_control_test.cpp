@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/study/study.hpp"
 #include "rubato/time/step_control.hpp"
 
 #include <gtest/gtest.h>

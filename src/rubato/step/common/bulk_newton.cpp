@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/common/bulk_newton.hpp"
 
+#include "rubato/model/model.hpp"
+
 #include <algorithm>
 #include <iterator>
 #include <utility>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/common/bulk_tangent.hpp"
 
+#include "rubato/model/model.hpp"
+
 #include <array>
 #include <cmath>
 #include <memory>

@@ -3,8 +3,10 @@
 /// of a new one.
 #pragma once
 
+#include "rubato/domain/evaluation.hpp"
 #include "rubato/domain/quadrature_states.hpp"
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
+#include "rubato/model/sparse_matrix.hpp"
 #include "rubato/step/common/effective_system.hpp"
 #include "rubato/step/state.hpp"
 #include "rubato/time/scheme.hpp"

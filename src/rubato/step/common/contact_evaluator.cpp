@@ -5,6 +5,7 @@
 #include "rubato/contact/springs.hpp"
 #include "rubato/contact/velocity_frames.hpp"
 #include "rubato/core/tolerances.hpp"
+#include "rubato/model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 /// they have settled.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 #include "rubato/step/common/effective_system.hpp"
 #include "rubato/step/report.hpp"
 #include "rubato/step/state.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // What contact forces did in a step, point by point: works of obstacles that move, and of friction.
+#include "rubato/model/model.hpp"
 #include "rubato/step/common/contact_evaluator.hpp"
 
 namespace rubato::step {

@@ -4,7 +4,8 @@
 #pragma once
 
 #include "rubato/contact/discretisation.hpp"
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
+#include "rubato/model/sparse_matrix.hpp"
 #include "rubato/step/common/slope_changes.hpp"
 #include "rubato/step/interface/compliance.hpp"
 #include "rubato/step/state.hpp"

@@ -4,6 +4,7 @@
 #include "rubato/core/tolerances.hpp"
 #include "rubato/linalg/ranked_matrix.hpp"
 #include "rubato/mesh/rounding.hpp"
+#include "rubato/model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

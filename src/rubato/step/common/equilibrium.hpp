@@ -2,7 +2,7 @@
 /// The balance of forces at the end of a step, and how well a motion keeps it.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 #include "rubato/step/common/bulk_tangent.hpp"
 #include "rubato/step/common/effective_system.hpp"
 #include "rubato/step/report.hpp"

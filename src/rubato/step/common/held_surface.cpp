@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/common/held_surface.hpp"
 
+#include "rubato/model/model.hpp"
+
 #include <cmath>
 
 namespace rubato::step {

@@ -5,7 +5,7 @@
 /// against them, and iterations converge as without them.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 #include "rubato/step/common/bulk_tangent.hpp"
 #include "rubato/step/common/contact_evaluator.hpp"
 

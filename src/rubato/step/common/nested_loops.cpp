@@ -3,6 +3,7 @@
 
 #include "rubato/contact/frozen_frame.hpp"
 #include "rubato/core/tolerances.hpp"
+#include "rubato/model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

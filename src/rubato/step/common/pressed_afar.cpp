@@ -4,6 +4,7 @@
 #include "rubato/contact/motion.hpp"
 #include "rubato/contact/point_tree.hpp"
 #include "rubato/contact/springs.hpp"
+#include "rubato/model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 /// stands for the faces around its node, so the master's nearest node is within a face of each.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 #include "rubato/step/report.hpp"
 #include "rubato/step/state.hpp"
 

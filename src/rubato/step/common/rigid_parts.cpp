@@ -2,6 +2,8 @@
 #include "rubato/step/common/rigid_parts.hpp"
 
 #include "rubato/linalg/dense_decompositions.hpp"
+#include "rubato/model/model.hpp"
+#include "rubato/study/study.hpp"
 
 #include <Eigen/Geometry>
 

@@ -9,7 +9,8 @@
 #pragma once
 
 #include "rubato/model/bodies.hpp"
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
+#include "rubato/model/gauge.hpp"
 
 #include <Eigen/Core>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/common/rigid_unknowns.hpp"
 
+#include "rubato/model/model.hpp"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>

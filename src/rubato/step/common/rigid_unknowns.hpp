@@ -4,7 +4,7 @@
 #pragma once
 
 #include "rubato/linalg/iterative_solver.hpp"
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 
 namespace rubato::step {
 

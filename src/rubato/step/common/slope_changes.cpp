@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/common/slope_changes.hpp"
 
+#include "rubato/model/model.hpp"
+
 #include <Eigen/LU>
 
 namespace rubato::step {

@@ -2,7 +2,8 @@
 /// Newton's iteration for springs and dashpots by tables, with a factor that has other slopes of them.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
+#include "rubato/model/springs.hpp"
 #include "rubato/step/interface/compliance.hpp"
 #include "rubato/time/scheme.hpp"
 

@@ -2,6 +2,8 @@
 #include "rubato/step/common/spatial_order.hpp"
 
 #include "rubato/core/spatial_order.hpp"
+#include "rubato/mesh/mesh.hpp"
+#include "rubato/model/model.hpp"
 
 namespace rubato::step {
 

@@ -3,7 +3,7 @@
 /// neighbours in number are those that it asks for too.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 
 #include <cstddef>
 #include <span>

@@ -4,10 +4,12 @@
 #include "rubato/domain/followed_points.hpp"
 #include "rubato/domain/point_numbers.hpp"
 #include "rubato/domain/rank_states.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/model/own_cells.hpp"
 #include "rubato/step/explicit/explicit_motion.hpp"
 
 #include <array>
+#include <bit>
 #include <utility>
 #include <vector>
 
@@ -15,6 +17,27 @@ namespace rubato::step {
 
 using Eigen::Index;
 using Eigen::VectorXd;
+
+namespace {
+
+/// Of numbers alone, over all ranks.
+template <class Numbers> Numbers sum_over_ranks(const model::Model& model, const Numbers& own) {
+  if (!model.parts)
+    return own;
+  auto parts = std::bit_cast<std::array<double, sizeof(Numbers) / sizeof(double)>>(own);
+  model.ranks.sum(parts);
+  return std::bit_cast<Numbers>(parts);
+}
+
+} // namespace
+
+EnergyLedger ExplicitMotion::summed(const EnergyLedger& own) const {
+  return sum_over_ranks(*model_, own);
+}
+
+domain::Balance ExplicitMotion::summed(const domain::Balance& own) const {
+  return sum_over_ranks(*model_, own);
+}
 
 ExplicitMotion::Memory ExplicitMotion::memory() const {
   Memory memory{t_, h_, steps_, u_, v_,      unbalance_,   contact_force_, damping_force_,

@@ -4,7 +4,9 @@
 #include "rubato/core/error.hpp"
 #include "rubato/core/function.hpp"
 #include "rubato/linalg/lanczos.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/model/own_cells.hpp"
+#include "rubato/step/energy.hpp"
 
 #include <fmt/format.h>
 
@@ -164,6 +166,10 @@ void ExplicitMotion::find_spectrum() {
 /// What is summed over ranks.
 VectorXd ExplicitMotion::counted_once(VectorXd values) const {
   return model::counted_once(*model_, std::move(values));
+}
+
+bool ExplicitMotion::is_finite() const {
+  return model_->ranks.all(u_.allFinite());
 }
 
 bool ExplicitMotion::owns(int dof) const {

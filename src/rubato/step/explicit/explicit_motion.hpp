@@ -15,19 +15,24 @@
 #pragma once
 
 #include "rubato/contact/explicit_penalty.hpp"
+#include "rubato/domain/cell_failure.hpp"
 #include "rubato/linalg/block_matrix.hpp"
-#include "rubato/model/model.hpp"
-#include "rubato/step/energy.hpp"
+#include "rubato/model/fwd.hpp"
+#include "rubato/step/energy_ledger.hpp"
+#include "rubato/step/explicit/explicit_memory.hpp"
 #include "rubato/step/state.hpp"
 
 #include <Eigen/Core>
 
-#include <array>
-#include <bit>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
+
+namespace rubato::constraint {
+struct PrescribedDof;
+class Reduction;
+} // namespace rubato::constraint
 
 namespace rubato::step {
 
@@ -51,7 +56,7 @@ public:
   double t() const { return t_; }
   std::int64_t steps() const { return steps_; }
   /// Whether its displacements are all numbers.
-  bool is_finite() const { return model_->ranks.all(u_.allFinite()); }
+  bool is_finite() const;
   int points_in_contact() const;
   Spectrum spectrum() const;
 
@@ -67,12 +72,7 @@ public:
   /// Goes on with other supports: the forces of those that have ended are gone at once.
   void take_supports(const constraint::Reduction& reduction);
 
-  /// What surveys have found of cells of finite strain.
-  struct Survey {
-    double growth = 0; ///< of λ_K as Domain::growth gives it; 0: not found yet
-    int interval = 20; ///< steps to the next one
-    int made = 0;      ///< steps since this one
-  };
+  using Survey = ExplicitSurvey;
 
   /// Kinetic energy is ½ v_{n−1/2}·M v_{n+1/2} and a constant that makes it continuous where the step
   /// changes, from 0 at rest on: with it the balance closes to rounding at any stable step. What the springs
@@ -80,21 +80,7 @@ public:
   /// `impact`.
   EnergyLedger energy() const;
 
-  /// All that it carries from step to step: whoever goes back to it does the same steps again, to the last
-  /// bit.
-  struct Memory {
-    double t = 0;
-    double step = 0;
-    std::int64_t steps = 0;
-    Eigen::VectorXd u, v, residual_force, contact_force, damping_force;
-    std::vector<double> load_factors, load_displacements; ///< one a load
-    std::vector<double> reactions;                        ///< one a support that moves
-    std::vector<contact::ExplicitPenalty::Memory> zones;
-    EnergyLedger energy;
-    domain::QuadratureStates bulk_points;
-    domain::LawPath path;
-    Survey survey;
-  };
+  using Memory = ExplicitMemory;
   Memory memory() const;
   void restore(const Memory& memory);
   /// Of one that is dealt out to ranks (Model::parts), what is right on all of them and on any number of
@@ -136,14 +122,9 @@ private:
   domain::Failed find_forces();
   double kinetic_energy() const;
   double strain_energy() const;
-  /// Of numbers alone, over all ranks.
-  template <class Numbers> Numbers summed(const Numbers& own) const {
-    if (!model_->parts)
-      return own;
-    auto parts = std::bit_cast<std::array<double, sizeof(Numbers) / sizeof(double)>>(own);
-    model_->ranks.sum(parts);
-    return std::bit_cast<Numbers>(parts);
-  }
+  /// Sums over all ranks.
+  EnergyLedger summed(const EnergyLedger& own) const;
+  domain::Balance summed(const domain::Balance& own) const;
   Eigen::VectorXd whole_sum(Eigen::VectorXd sum) const;
   domain::QuadratureStates whole(domain::QuadratureStates states) const;
   void apply(Load& load);

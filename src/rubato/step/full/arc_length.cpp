@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/full/arc_length.hpp"
 
+#include "rubato/model/model.hpp"
+
 #include <cmath>
 
 namespace rubato::step {

@@ -4,7 +4,7 @@
 /// handles "snap-through", Computers and Structures 13, 1981). docs/theory/bulk-newton.md#loads-along-a-path.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 #include "rubato/step/state.hpp"
 
 #include <Eigen/Core>

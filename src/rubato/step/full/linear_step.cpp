@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/full/linear_step.hpp"
 
+#include "rubato/core/ranks.hpp"
 #include "rubato/core/tolerances.hpp"
 #include "rubato/linalg/direct_solver.hpp"
+#include "rubato/model/model.hpp"
 
 #include <algorithm>
 #include <cmath>

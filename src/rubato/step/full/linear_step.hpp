@@ -5,7 +5,8 @@
 #pragma once
 
 #include "rubato/contact/enforcement.hpp"
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
+#include "rubato/model/sparse_matrix.hpp"
 #include "rubato/step/interface/compliance.hpp"
 
 #include <Eigen/Core>

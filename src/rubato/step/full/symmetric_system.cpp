@@ -2,6 +2,7 @@
 #include "rubato/step/full/symmetric_system.hpp"
 
 #include "rubato/linalg/ranked_matrix.hpp"
+#include "rubato/model/model.hpp"
 
 namespace rubato::step {
 

@@ -2,6 +2,7 @@
 #include "rubato/step/full/whole_system.hpp"
 
 #include "rubato/linalg/ranked_matrix.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/step/common/move_search.hpp"
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 
 #include "rubato/contact/springs.hpp"
 #include "rubato/core/tolerances.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/step/common/held_surface.hpp"
 
 #include <algorithm>

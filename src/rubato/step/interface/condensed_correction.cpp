@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // What the linear system of the points in contact answers.
 #include "rubato/linalg/ranked_matrix.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/step/interface/condensed.hpp"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // What a step on the points alone says at its end.
+#include "rubato/model/model.hpp"
 #include "rubato/step/interface/condensed.hpp"
 
 namespace rubato::step {

@@ -10,7 +10,7 @@
 /// change, cₖ − c = −ε mₖ, and that is Newton's iterate itself.
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 #include "rubato/step/interface/compliance.hpp"
 
 #include <Eigen/Core>

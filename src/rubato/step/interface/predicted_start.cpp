@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/interface/predicted_start.hpp"
 
+#include "rubato/model/model.hpp"
+
 #include <algorithm>
 #include <limits>
 #include <utility>

@@ -2,6 +2,7 @@
 #include "rubato/step/interface/predictor_points.hpp"
 
 #include "rubato/contact/springs.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/study/contact_methods.hpp"
 
 #include <algorithm>

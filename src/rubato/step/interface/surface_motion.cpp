@@ -2,6 +2,7 @@
 #include "rubato/step/interface/surface_motion.hpp"
 
 #include "rubato/linalg/ranked_matrix.hpp"
+#include "rubato/model/model.hpp"
 
 #include <utility>
 

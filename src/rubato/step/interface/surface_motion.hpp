@@ -4,7 +4,7 @@
 /// halves, once a base (linalg/split_factor.hpp).
 #pragma once
 
-#include "rubato/model/model.hpp"
+#include "rubato/model/fwd.hpp"
 #include "rubato/step/common/effective_system.hpp"
 #include "rubato/step/common/equilibrium.hpp"
 #include "rubato/step/state.hpp"

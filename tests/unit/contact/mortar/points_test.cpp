@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/mortar/points.hpp"
+#include "rubato/contact/zone.hpp"
+#include "rubato/domain/dof_map.hpp"
+#include "rubato/mesh/mesh.hpp"
 
 #include <gtest/gtest.h>
 
@@ -45,7 +48,7 @@ protected:
     EXPECT_FALSE(keeps_last(0.99 * share)) << share;
   }
 
-  model::Model model_;
+  test::BuiltModel model_;
   VectorXd start_;
   double start_t_ = 0;
   Points points_;
@@ -75,7 +78,7 @@ TEST_F(SlidingBlock, ForgetsInTheNextStepWhatItAsked) {
 }
 
 /// Two beams on one another, 4 long and 1 wide, the lower one the slave with four faces.
-model::Model beams(const std::string& lower_support) {
+test::BuiltModel beams(const std::string& lower_support) {
   return test::model_of(R"(
 physics: plane_stress
 mesh:
@@ -96,7 +99,7 @@ struct KeptNodes {
   double lost = 0;
 };
 
-KeptNodes kept_of(const model::Model& model) {
+KeptNodes kept_of(const test::ModelParts& model) {
   const VectorXd rest = VectorXd::Zero(model.dofs.dof_count);
   Points points(model.zones.front());
   points.update({&model.mesh, &model.dofs, &rest, &rest, 1, 0});

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/step/advance.hpp"
 #include "rubato/step/common/cycle_detector.hpp"
 #include "rubato/step/common/nested_loops.hpp"
 #include "rubato/step/common/newton.hpp"
 #include "rubato/step/full/whole_system.hpp"
 #include "rubato/step/interface/condensed.hpp"
+#include "rubato/study/study.hpp"
 
 #include <gtest/gtest.h>
 

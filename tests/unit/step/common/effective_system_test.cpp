@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // What a cut step changes, and what it must leave alone.
 #include "rubato/step/common/effective_system.hpp"
+#include "rubato/study/study.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// The three nested levels by Newton or by loops, and every method they carry, must end at one answer.
+#include "rubato/contact/zone.hpp"
+#include "rubato/deck/read.hpp"
+#include "rubato/step/advance.hpp"
 #include "rubato/step/common/nested_loops.hpp"
 #include "rubato/step/common/newton.hpp"
 #include "rubato/step/full/whole_system.hpp"
+#include "rubato/study/study.hpp"
 
 #include <gtest/gtest.h>
 

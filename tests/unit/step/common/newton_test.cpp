@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// How Newton converges, and what its answer must not depend on.
+#include "rubato/deck/read.hpp"
+#include "rubato/step/advance.hpp"
 #include "rubato/step/common/newton.hpp"
 #include "rubato/step/full/whole_system.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/decks.hpp"
+#include "support/model_of.hpp"
 #include "support/walk.hpp"
 #include <algorithm>
 #include <cmath>
@@ -68,7 +71,7 @@ Iterates iterates_of(Changes changes) {
   for (int iterations = 1; iterations < 20; ++iterations) {
     auto study = walk.model.study;
     study.newton.max_iterations = iterations;
-    const auto model = model::build_model(study);
+    const test::BuiltModel model(study);
     auto system = make_effective_system(model, walk.scheme, walk.length());
     const double t = walk.target();
     found.end = predict(model, walk.scheme, system, walk.state(), t);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/contact/zone.hpp"
+#include "rubato/domain/dof_map.hpp"
 #include "rubato/step/common/pressed_afar.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Bodies that move far beside their strain: the ledger takes works of internal forces on deformations alone.
 #include "rubato/deck/read.hpp"
+#include "rubato/domain/domain.hpp"
 #include "rubato/step/common/rigid_parts.hpp"
 #include "rubato/step/energy.hpp"
 #include "rubato/step/start.hpp"
@@ -8,6 +9,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "support/model_of.hpp"
 #include <cmath>
 #include <random>
 #include <string>
@@ -64,8 +66,8 @@ const std::vector<Deck> decks{
 
 class FarOff : public testing::TestWithParam<Deck> {
 protected:
-  model::Model model_ =
-      model::build_model(deck::parse_deck(*GetParam().text, "deck.yaml", GetParam().changes).runs.front());
+  test::BuiltModel model_ =
+      test::BuiltModel(deck::parse_deck(*GetParam().text, "deck.yaml", GetParam().changes).runs.front());
   std::mt19937 random_{5};
 
   VectorXd anything(Index size) {
@@ -153,7 +155,7 @@ TEST(RigidParts, LeaveOutBodiesThatSupportsAtRestHold) {
                                        {"[{on: wall, x: 0, y: 0.1}]", false}}) {
     const std::vector<deck::Setting> changes{{"supports", supports}};
     const auto study = deck::parse_deck(plane, "deck.yaml", changes).runs.front();
-    const auto model = model::build_model(study);
+    const test::BuiltModel model(study);
     const RigidParts rigid(model);
     VectorXd shift = VectorXd::Zero(model.dofs.dof_count);
     for (const auto node : model.dofs.nodes)

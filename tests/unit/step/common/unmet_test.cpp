@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // An attempt that fails names the criterion that is not met and the point where it is furthest from it.
+#include "rubato/contact/zone.hpp"
+#include "rubato/deck/read.hpp"
 #include "rubato/step/common/contact_evaluator.hpp"
 
 #include <gtest/gtest.h>

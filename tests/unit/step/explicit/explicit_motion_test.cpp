@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/constraint/reduction.hpp"
 #include "rubato/deck/read.hpp"
 #include "rubato/step/explicit/explicit_motion.hpp"
 
@@ -6,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "support/decks.hpp"
+#include "support/model_of.hpp"
+#include "support/model_parts.hpp"
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -16,8 +19,8 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-model::Model model_of(const std::string& deck, const std::vector<deck::Setting>& changes = {}) {
-  return model::build_model(deck::parse_deck(deck, "deck.yaml", changes).runs.front());
+test::BuiltModel model_of(const std::string& deck, const std::vector<deck::Setting>& changes = {}) {
+  return test::BuiltModel(deck::parse_deck(deck, "deck.yaml", changes).runs.front());
 }
 
 /// A row of squares of side 1 that move along x only: springs of stiffness 1 between nodes of mass 1 in all
@@ -37,7 +40,7 @@ time: {scheme: central_difference, end: 1, record: 1}
 )";
 }
 
-double end_of(const model::Model& model, const VectorXd& values) {
+double end_of(const test::ModelParts& model, const VectorXd& values) {
   double largest = -1;
   double value = 0;
   for (const auto node : model.dofs.nodes)

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Explicit motion of bodies that yield, creep and stretch.
+#include "rubato/constraint/reduction.hpp"
 #include "rubato/core/error.hpp"
 #include "rubato/deck/read.hpp"
 #include "rubato/domain/cell_rates.hpp"
+#include "rubato/domain/domain.hpp"
 #include "rubato/step/explicit/explicit_motion.hpp"
 
 #include <Eigen/Core>
@@ -10,6 +12,8 @@
 
 #include "support/decks.hpp"
 #include "support/dense.hpp"
+#include "support/model_of.hpp"
+#include "support/model_parts.hpp"
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -23,8 +27,8 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-model::Model model_of(const std::string& deck) {
-  return model::build_model(deck::parse_deck(deck, "deck.yaml").runs.front());
+test::BuiltModel model_of(const std::string& deck) {
+  return test::BuiltModel(deck::parse_deck(deck, "deck.yaml").runs.front());
 }
 
 /// A block of cells of side 1/2 and density 1, three of them high, held at its left end.
@@ -227,7 +231,7 @@ TEST(ExplicitNonlinear, HasTheStableStepOfItsFirstTangent) {
     study.time.scheme = study::SchemeKind::newmark;
     study.time.contact_mass = study::ContactMass::consistent;
     study.time.step = study.time.end = 1;
-    const auto implicit = model::build_model(study);
+    const test::BuiltModel implicit(study);
     VectorXd root = VectorXd::Zero(model.dofs.dof_count);
     for (const int dof : model.reduction.free_dofs())
       root[dof] = 1 / std::sqrt(model.lumped_mass[dof]);
@@ -241,7 +245,7 @@ TEST(ExplicitNonlinear, HasTheStableStepOfItsFirstTangent) {
 }
 
 /// The largest eigenvalue of the tangent as bodies stand, found by differences of forces.
-double true_rate(const model::Model& model, const State& state) {
+double true_rate(const test::ModelParts& model, const State& state) {
   const auto& free = model.reduction.free_dofs();
   const auto size = static_cast<Eigen::Index>(free.size());
   MatrixXd scaled(size, size);
@@ -267,7 +271,7 @@ double true_rate(const model::Model& model, const State& state) {
 }
 
 /// By t = 20 the largest eigenvalue is at least `growth` times that of the start, and the motion knows it.
-void expect_followed_rates(const model::Model& model, double growth) {
+void expect_followed_rates(const test::ModelParts& model, double growth) {
   ExplicitMotion motion(model);
   const double first = motion.spectrum().stiffness;
   EXPECT_FALSE(go(motion, 20));

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // The linear system of an iteration on all unknowns.
+#include "rubato/domain/domain.hpp"
 #include "rubato/step/full/linear_step.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/decks.hpp"
 #include "support/model_of.hpp"
+#include "support/model_parts.hpp"
 #include <algorithm>
 #include <functional>
 #include <random>
@@ -53,7 +55,7 @@ protected:
     contact.equations[multiplier] = -size * apart;
   }
 
-  model::Model model_ = test::model_of(strip);
+  test::BuiltModel model_ = test::model_of(strip);
   Index dofs_ = model_.dofs.dof_count;
   model::SparseMatrix matrix_ = model_.reduction.reduced(model_.domain.initial_tangent());
   VectorXd residual_ = VectorXd::LinSpaced(model_.reduction.unknown_count(), -1, 2);
@@ -141,7 +143,7 @@ TEST_F(WholeStrip, HasNoSolutionWhereTheSameIsAskedTwice) {
   EXPECT_FALSE(solve(contact));
 }
 
-std::set<std::pair<mesh::NodeIndex, int>> surface_dofs(const model::Model& model) {
+std::set<std::pair<mesh::NodeIndex, int>> surface_dofs(const test::ModelParts& model) {
   std::set<std::pair<mesh::NodeIndex, int>> found;
   for (const int unknown : surface_unknowns(model)) {
     const int dof = model.reduction.free_dofs()[static_cast<std::size_t>(unknown)];

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // One iteration after another on all unknowns. How they converge: common/newton_test.cpp.
+#include "rubato/contact/zone.hpp"
+#include "rubato/domain/dof_map.hpp"
+#include "rubato/step/advance.hpp"
 #include "rubato/step/common/newton.hpp"
 #include "rubato/step/full/whole_system.hpp"
 

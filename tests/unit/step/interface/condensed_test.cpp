@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "support/decks.hpp"
+#include "support/model_of.hpp"
 #include <string>
 
 namespace rubato::condensed_test {
@@ -56,7 +57,7 @@ struct History {
 History history(const std::string& deck, study::Solver solver) {
   auto study = deck::parse_deck(deck, "beams.yaml").runs.front();
   study.solver = solver;
-  const auto model = model::build_model(study);
+  const test::BuiltModel model(study);
   const auto scheme = time::make_scheme(study.time);
   auto system = step::make_effective_system(model, scheme, study.time.step);
   auto state = step::initial_state(model, scheme, 0, true);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/model/model.hpp"
 #include "rubato/step/common/effective_system.hpp"
 #include "rubato/step/interface/free_motions.hpp"
 #include "rubato/time/step_control.hpp"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Contact by conjugate gradients moves bodies as the active set does.
+#include "rubato/deck/read.hpp"
+
 #include <gtest/gtest.h>
 
 #include "support/decks.hpp"

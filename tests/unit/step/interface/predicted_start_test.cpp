@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // The contact of a step as it is predicted: near the one that the step ends with.
+#include "rubato/deck/read.hpp"
 #include "rubato/step/advance.hpp"
 #include "rubato/step/interface/predicted_start.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/decks.hpp"
+#include "support/model_parts.hpp"
 #include "support/walk.hpp"
 #include <algorithm>
 #include <cmath>
@@ -54,7 +56,7 @@ public:
     return sum;
   }
 
-  const model::Model& model;
+  const test::ModelParts& model;
   time::Scheme scheme;
   State committed;
   EffectiveSystem system;

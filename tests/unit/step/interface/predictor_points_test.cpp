@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Which points the guess of a step's contact follows, and what becomes of those that lose their master.
+#include "rubato/model/model.hpp"
 #include "rubato/step/interface/predictor_points.hpp"
 
 #include <gtest/gtest.h>

@@ -7,6 +7,7 @@
 
 #include "support/decks.hpp"
 #include "support/dense.hpp"
+#include "support/model_parts.hpp"
 #include "support/walk.hpp"
 #include <random>
 
@@ -42,7 +43,7 @@ protected:
   }
 
   test::Walk walk_{test::two_beams};
-  const model::Model& model_ = walk_.model;
+  const test::ModelParts& model_ = walk_.model;
   EffectiveSystem system_ = make_effective_system(model_, walk_.scheme, walk_.length());
   Equilibrium equilibrium_{model_, walk_.scheme, system_, walk_.state(), walk_.target()};
   State trial_ = predict(model_, walk_.scheme, system_, walk_.state(), walk_.target());

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Why a cell has no forces.
+#pragma once
+
+namespace rubato::element {
+
+enum class Failure {
+  none,
+  inverted,       ///< J ≤ 0
+  law,            ///< the law has no response
+  mode_iteration, ///< no end of the iteration for the cell's own unknowns
+  not_finite      ///< a force that is no number
+};
+
+} // namespace rubato::element

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Springs, connectors and point masses of a model.
+#pragma once
+
+#include "rubato/constraint/reduction.hpp"
+#include "rubato/core/linear_table.hpp"
+#include "rubato/mesh/mesh.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace rubato::model {
+
+/// A spring from a dof to the ground, slack at displacement 0.
+struct Spring {
+  int dof = 0;
+  double stiffness = 0; ///< [force/length] > 0
+  bool soft = false;    ///< too soft to say where a body in contact is (model/soft_springs.hpp)
+};
+
+/// A spring, a dashpot and a mass side by side on the displacement Σ row · u. Where tables give forces, the
+/// numbers are their steepest slopes, which matrices have.
+struct Connector {
+  std::vector<constraint::Term> row;
+  double stiffness = 0; ///< [force/length]
+  double damping = 0;   ///< [force · time/length]
+  double mass = 0;      ///< [mass]
+  std::optional<LinearTable> force = {};
+  std::optional<LinearTable> damper = {};
+};
+
+struct PointMass {
+  mesh::NodeIndex node = -1;
+  double mass = 0;
+};
+
+} // namespace rubato::model
