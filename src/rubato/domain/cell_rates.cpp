@@ -2,8 +2,9 @@
 #include "rubato/domain/cell_rates.hpp"
 
 #include "rubato/domain/cell_matrices.hpp"
+#include "rubato/linalg/dense_decompositions.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <cmath>
 
 namespace rubato::domain {
 
@@ -13,15 +14,13 @@ double CellVibration::bound() const {
 
 double CellVibration::largest() const {
   const auto components = stiffness.rows() / mass.size();
-  const Eigen::VectorXd root =
-      mass.cwiseSqrt().cwiseInverse().replicate(1, components).transpose().reshaped();
-  const Eigen::MatrixXd rates = root.asDiagonal() * stiffness * root.asDiagonal();
-  const double scale = rates.norm(); // Eigen takes entries for zero by their size
-  if (!(scale > 0))
+  Eigen::MatrixXd rates = stiffness;
+  for (Eigen::Index j = 0; j < rates.cols(); ++j)
+    for (Eigen::Index i = 0; i < rates.rows(); ++i)
+      rates(i, j) /= std::sqrt(mass[i / components]) * std::sqrt(mass[j / components]);
+  if (!(rates.norm() > 0))
     return 0;
-  return scale * Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(rates / scale, Eigen::EigenvaluesOnly)
-                     .eigenvalues()
-                     .maxCoeff();
+  return linalg::symmetric_eigenvalues(rates)[rates.rows() - 1];
 }
 
 CellVibration vibration_of(const mesh::Mesh& mesh, const Bulk& bulk, std::size_t cell) {

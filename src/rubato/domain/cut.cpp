@@ -3,9 +3,8 @@
 
 #include "rubato/domain/cell_matrices.hpp"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <vector>
 
@@ -19,12 +18,15 @@ using Entries = std::vector<Eigen::Triplet<double, int>>;
 
 constexpr Index axes = 3;
 
-/// What a force along an axis at a place does: force along and moment about each axis.
-Eigen::Matrix<double, 6, 1> effect_of(Index axis, const Eigen::Vector3d& arm) {
-  const Eigen::Vector3d along = Eigen::Vector3d::Unit(axis);
-  Eigen::Matrix<double, 6, 1> effect;
-  effect << along, arm.cross(along);
-  return effect;
+using Force = std::array<double, 3>;
+
+/// Adds what a force at a place does: force along and moment about each axis.
+void add_effect(const Force& force, const double* arm, double* effect) {
+  for (std::size_t a = 0; a < force.size(); ++a)
+    effect[a] += force[a];
+  effect[3] += arm[1] * force[2] - arm[2] * force[1];
+  effect[4] += arm[2] * force[0] - arm[0] * force[2];
+  effect[5] += arm[0] * force[1] - arm[1] * force[0];
 }
 
 /// Of the forces that the rows of a matrix of one cell give its dofs, those at nodes in the cut: force and
@@ -33,10 +35,15 @@ MatrixXd effects_of(const mesh::Mesh& mesh, Index components, std::span<const No
                     const std::vector<char>& in_cut, const Eigen::Vector3d& point, const MatrixXd& forces) {
   MatrixXd effects = MatrixXd::Zero(2 * axes, forces.cols());
   for (std::size_t n = 0; n < nodes.size(); ++n)
-    if (in_cut[static_cast<std::size_t>(nodes[n])] != 0)
-      for (Index a = 0; a < components; ++a)
-        effects += effect_of(a, mesh.points[static_cast<std::size_t>(nodes[n])] - point) *
-                   forces.row(static_cast<Index>(n) * components + a);
+    if (in_cut[static_cast<std::size_t>(nodes[n])] != 0) {
+      const Eigen::Vector3d arm = mesh.points[static_cast<std::size_t>(nodes[n])] - point;
+      for (Index j = 0; j < forces.cols(); ++j) {
+        Force force{};
+        for (Index a = 0; a < components; ++a)
+          force[static_cast<std::size_t>(a)] = forces(static_cast<Index>(n) * components + a, j);
+        add_effect(force, arm.data(), &effects(0, j));
+      }
+    }
   return effects;
 }
 
@@ -73,9 +80,10 @@ std::vector<CutForces::Evaluated> evaluated_cells(const mesh::Mesh& mesh, const 
   return all;
 }
 
-Eigen::Vector3d at_node(const Eigen::VectorXd& values, const CutForces::Node& node, int components) {
-  Eigen::Vector3d at = Eigen::Vector3d::Zero();
-  at.head(components) = values.segment(node.first_dof, components);
+Force at_node(const Eigen::VectorXd& values, const CutForces::Node& node, int components) {
+  Force at{};
+  for (int a = 0; a < components; ++a)
+    at[static_cast<std::size_t>(a)] = values[node.first_dof + a];
   return at;
 }
 
@@ -90,10 +98,12 @@ Eigen::Matrix<double, 6, 1> evaluated_forces(const CutForces& cut, const CutForc
   for (const auto& node : cut.nodes) {
     const auto force = at_node(forces, node, cut.components);
     Eigen::Vector3d arm = node.arm;
-    if (evaluated.at_deformed)
-      arm += at_node(u, node, cut.components);
-    sum.head<3>() += force;
-    sum.tail<3>() += arm.cross(force);
+    if (evaluated.at_deformed) {
+      const auto moved = at_node(u, node, cut.components);
+      for (std::size_t a = 0; a < moved.size(); ++a)
+        arm[static_cast<Index>(a)] += moved[a];
+    }
+    add_effect(force, arm.data(), sum.data());
   }
   return sum;
 }

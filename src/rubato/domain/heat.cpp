@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace rubato::domain {
@@ -37,7 +38,49 @@ void add_entries(const MatrixXd& matrix, std::span<const int> rows, std::span<co
                            matrix(i, j));
 }
 
+/// Of each row of the matrix, whose values are column by column.
+VectorXd sums_of_rows(const MatrixXd& matrix) {
+  VectorXd sums = VectorXd::Zero(matrix.rows());
+  for (Index j = 0; j < matrix.cols(); ++j)
+    for (Index i = 0; i < matrix.rows(); ++i)
+      sums[i] += matrix(i, j);
+  return sums;
+}
+
+void add_at(std::span<const int> places, double factor, const VectorXd& values, VectorXd& sum) {
+  for (std::size_t i = 0; i < places.size(); ++i)
+    sum[places[i]] += factor * values[static_cast<Index>(i)];
+}
+
+/// Σ N_i h N_j over the points, N a column a point.
+MatrixXd weighted_squares(const MatrixXd& shapes, const VectorXd& weights) {
+  MatrixXd sum = MatrixXd::Zero(shapes.rows(), shapes.rows());
+  for (Index q = 0; q < shapes.cols(); ++q)
+    for (Index j = 0; j < shapes.rows(); ++j)
+      for (Index i = 0; i < shapes.rows(); ++i)
+        sum(i, j) += shapes(i, q) * weights[q] * shapes(j, q);
+  return sum;
+}
+
+void multiply(const Eigen::SparseMatrix<double, Eigen::RowMajor, int>& matrix, const VectorXd& x,
+              VectorXd& y) {
+  y.resize(matrix.rows());
+  for (Index row = 0; row < matrix.outerSize(); ++row) {
+    double sum = 0;
+    for (Eigen::SparseMatrix<double, Eigen::RowMajor, int>::InnerIterator entry(matrix, row); entry; ++entry)
+      sum += entry.value() * x[entry.col()];
+    y[row] = sum;
+  }
+}
+
 } // namespace
+
+VectorXd Heat::Forces::at(const VectorXd& temperatures) const {
+  VectorXd forces;
+  multiply(matrix, temperatures, forces);
+  forces -= reference;
+  return forces;
+}
 
 Heat::Heat(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs,
            std::vector<std::optional<study::ThermalExpansion>> expansions, std::vector<HeatedNodes> nodes)
@@ -97,8 +140,9 @@ CellHeat Heat::cell_heat(const mesh::Mesh& mesh, const Bulk& bulk, std::size_t c
   CellHeat heat;
   heat.force.resize(nodes * element::component_count(physics), nodes);
   element::stress_forces(type, points, bulk.section, stress, heat.force);
-  heat.reference_force = expansion.reference * heat.force.rowwise().sum();
-  heat.energy = shapes * held.asDiagonal() * shapes.transpose();
+  heat.reference_force = sums_of_rows(heat.force);
+  heat.reference_force *= expansion.reference;
+  heat.energy = weighted_squares(shapes, held);
   return heat;
 }
 
@@ -123,13 +167,14 @@ void Heat::assemble(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs
     const auto rows = dofs_of(i, dofs);
     const bool constant = bulk.is_constant(i);
     add_entries(heat.force, rows, nodes, forces[constant ? 0 : 1]);
-    (constant ? constant_ : evaluated_).reference(rows) += heat.reference_force;
+    add_at(rows, 1, heat.reference_force, (constant ? constant_ : evaluated_).reference);
     if (!constant)
       continue;
     add_entries(heat.energy, nodes, nodes, energies);
     const double reference = expansion_of(i)->reference;
-    reference_energy_(nodes) += reference * heat.energy.rowwise().sum();
-    reference_constant_ += 0.5 * reference * reference * heat.energy.sum();
+    const auto of_nodes = sums_of_rows(heat.energy);
+    add_at(nodes, reference, of_nodes, reference_energy_);
+    reference_constant_ += 0.5 * reference * reference * of_nodes.sum();
   }
   constant_.matrix.resize(dofs.dof_count, node_count_);
   constant_.matrix.setFromTriplets(forces[0].begin(), forces[0].end());
@@ -157,18 +202,33 @@ VectorXd Heat::force(double t) const {
 
 double Heat::largest_force(double t) const {
   const auto now = temperatures(t);
-  return (constant_.at(now) + evaluated_.at(now)).lpNorm<Eigen::Infinity>();
+  const auto constant = constant_.at(now);
+  const auto evaluated = evaluated_.at(now);
+  double largest = 0;
+  for (Index i = 0; i < constant.size(); ++i)
+    largest = std::max(largest, std::abs(constant[i] + evaluated[i]));
+  return largest;
 }
 
 double Heat::held_energy(double t) const {
   const auto now = temperatures(t);
-  return 0.5 * now.dot(energy_ * now) - reference_energy_.dot(now) + reference_constant_;
+  VectorXd of_nodes;
+  multiply(energy_, now, of_nodes);
+  return 0.5 * now.dot(of_nodes) - reference_energy_.dot(now) + reference_constant_;
 }
 
 VectorXd Heat::degrees(std::size_t cell, const VectorXd& temperatures) const {
-  const VectorXd at_nodes = temperatures(cells_[cell].nodes);
-  const VectorXd at_points = cell::stiffness_table(cells_[cell].type).values.transpose() * at_nodes;
-  return at_points.array() - expansion_of(cell)->reference;
+  const auto& shapes = cell::stiffness_table(cells_[cell].type).values;
+  const auto& nodes = cells_[cell].nodes;
+  const double reference = expansion_of(cell)->reference;
+  VectorXd degrees(shapes.cols());
+  for (Index q = 0; q < shapes.cols(); ++q) {
+    double sum = 0;
+    for (std::size_t n = 0; n < nodes.size(); ++n)
+      sum += shapes(static_cast<Index>(n), q) * temperatures[nodes[n]];
+    degrees[q] = sum - reference;
+  }
+  return degrees;
 }
 
 void Heat::put_free_strains(std::size_t cell, const VectorXd& temperatures,

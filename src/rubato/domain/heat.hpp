@@ -86,9 +86,7 @@ private:
   struct Forces {
     Sparse matrix; ///< dofs × nodes
     Eigen::VectorXd reference;
-    Eigen::VectorXd at(const Eigen::VectorXd& temperatures) const {
-      return matrix * temperatures - reference;
-    }
+    Eigen::VectorXd at(const Eigen::VectorXd& temperatures) const;
   };
   Forces constant_;  ///< of cells of constant stiffness
   Forces evaluated_; ///< of the others, for the size of their forces

@@ -5,10 +5,19 @@ namespace rubato::domain {
 
 using Eigen::VectorXd;
 
+double LawSpring::stretch(const VectorXd& x) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < dofs.size(); ++i)
+    sum += row[static_cast<Eigen::Index>(i)] * x[dofs[i]];
+  return sum;
+}
+
 void add_beyond_matrix(std::span<const LawSpring> springs, const VectorXd& x, VectorXd& forces) {
   for (const auto& spring : springs) {
     const double e = spring.stretch(x);
-    forces(spring.dofs) += (interpolated(spring.force, e) - spring.held * e) * spring.row;
+    const double force = interpolated(spring.force, e) - spring.held * e;
+    for (std::size_t i = 0; i < spring.dofs.size(); ++i)
+      forces[spring.dofs[i]] += force * spring.row[static_cast<Eigen::Index>(i)];
   }
 }
 

@@ -19,7 +19,7 @@ struct LawSpring {
   LinearTable force; ///< by e
   double held = 0;   ///< [force/length], of dashpots [force · time/length]
 
-  double stretch(const Eigen::VectorXd& x) const { return row.dot(x(dofs)); }
+  double stretch(const Eigen::VectorXd& x) const;
 };
 
 /// Adds what the matrix lacks of the forces, rowᵀ (s(e) − held e).

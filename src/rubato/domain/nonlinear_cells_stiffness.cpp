@@ -4,9 +4,8 @@
 #include "rubato/domain/cell_rates.hpp"
 #include "rubato/domain/nonlinear_cells.hpp"
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace rubato::domain {
@@ -15,21 +14,53 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// The largest one of the waves, each with one direction of displacement; without waves ‖K_e‖.
-double stiffness_of_waves(const Eigen::MatrixXd& waves, const Eigen::Ref<const Eigen::MatrixXd>& stiffness) {
+/// Symmetric, of which the lower triangle counts: a[row][column].
+using Tensor = std::array<std::array<double, 3>, 3>;
+
+/// By the roots of the characteristic polynomial of the scaled deviator.
+double largest_eigenvalue(Tensor a) {
+  const double mean = (a[0][0] + a[1][1] + a[2][2]) / 3;
+  double scale = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    a[i][i] -= mean;
+    for (std::size_t j = 0; j <= i; ++j)
+      scale = std::max(scale, std::abs(a[i][j]));
+  }
+  if (!(scale > 0))
+    return mean;
+  for (auto& row : a)
+    for (double& value : row)
+      value /= scale;
+  const double c0 = a[0][0] * a[1][1] * a[2][2] + 2 * a[1][0] * a[2][0] * a[2][1] -
+                    a[0][0] * a[2][1] * a[2][1] - a[1][1] * a[2][0] * a[2][0] - a[2][2] * a[1][0] * a[1][0];
+  const double c1 = a[0][0] * a[1][1] - a[1][0] * a[1][0] + a[0][0] * a[2][2] - a[2][0] * a[2][0] +
+                    a[1][1] * a[2][2] - a[2][1] * a[2][1];
+  const double third = (a[0][0] + a[1][1] + a[2][2]) / 3;
+  const double square = std::max(0.0, (3 * third * third - c1) / 3);
+  const double half = 0.5 * (c0 + third * (2 * third * third - c1));
+  const double q = std::max(0.0, square * square * square - half * half);
+  const double angle = std::atan2(std::sqrt(q), half) / 3;
+  return (third + 2 * std::sqrt(square) * std::cos(angle)) * scale + mean;
+}
+
+/// The largest one of the waves, each with one direction of displacement; without waves ‖K_e‖. `stiffness`
+/// has `size` columns.
+double stiffness_of_waves(const Eigen::MatrixXd& waves, const double* stiffness, Eigen::Index size) {
   if (waves.cols() == 0)
-    return stiffness.norm();
-  const auto d = stiffness.rows() / waves.rows();
+    return Eigen::Map<const VectorXd>(stiffness, size * size).norm();
+  const auto d = size / waves.rows();
   double largest = 0;
   for (Eigen::Index wave = 0; wave < waves.cols(); ++wave) {
-    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    Tensor sum{};
     for (Eigen::Index j = 0; j < waves.rows(); ++j)
-      for (Eigen::Index i = 0; i < waves.rows(); ++i)
-        sum.topLeftCorner(d, d) += waves(i, wave) * waves(j, wave) * stiffness.block(i * d, j * d, d, d);
-    largest = std::max(largest, Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>()
-                                    .computeDirect(sum, Eigen::EigenvaluesOnly)
-                                    .eigenvalues()
-                                    .maxCoeff());
+      for (Eigen::Index i = 0; i < waves.rows(); ++i) {
+        const double share = waves(i, wave) * waves(j, wave);
+        const double* const block = stiffness + j * d * size + i * d;
+        for (Eigen::Index b = 0; b < d; ++b)
+          for (Eigen::Index a = b; a < d; ++a)
+            sum[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)] += share * block[b * size + a];
+      }
+    largest = std::max(largest, largest_eigenvalue(sum));
   }
   return largest;
 }
@@ -44,7 +75,8 @@ void NonlinearCells::find_rates(const mesh::Mesh& mesh, const Bulk& bulk,
     Rate rate;
     if (group_of(cell).kind.strain != element::StrainKind::small) {
       const auto vibration = vibration_of(mesh, bulk, cell.place);
-      rate.stiffness = stiffness_of_waves(group_of(cell).waves, vibration.stiffness);
+      rate.stiffness =
+          stiffness_of_waves(group_of(cell).waves, vibration.stiffness.data(), vibration.stiffness.rows());
       if (vibration.mass.minCoeff() > 0)
         rate.lambda = vibration.bound() / (mass_factors.empty() ? 1 : mass_factors[cell.place]);
     }
@@ -136,9 +168,7 @@ double NonlinearCells::growth_of_tangent(std::size_t i, const VectorXd& u, const
                          {scratch.states, scratch.force, scratch.tangent}))
     return 0;
   const auto size = static_cast<Eigen::Index>(scratch.displacement.size());
-  return stiffness_of_waves(group.waves,
-                            Eigen::Map<const Eigen::MatrixXd>(scratch.tangent.data(), size, size)) /
-         rates_[i].stiffness;
+  return stiffness_of_waves(group.waves, scratch.tangent.data(), size) / rates_[i].stiffness;
 }
 
 } // namespace rubato::domain

@@ -7,6 +7,7 @@
 #include "rubato/domain/balance.hpp"
 #include "rubato/domain/cell_matrices.hpp"
 #include "rubato/linalg/dense_decompositions.hpp"
+#include "rubato/linalg/dense_products.hpp"
 
 #include <algorithm>
 
@@ -28,7 +29,17 @@ MatrixXd extrapolation_of(const cell::ReferenceCell& cell) {
     nodes.push_back({xi, 1.});
   const MatrixXd at_points = cell::tabulate(corners, cell::stiffness_rule(cell.type)).values.transpose();
   const MatrixXd at_nodes = cell::tabulate(corners, nodes).values.transpose();
-  return at_nodes * linalg::pseudo_inverse(at_points);
+  return linalg::product(at_nodes, linalg::pseudo_inverse(at_points));
+}
+
+/// A Bᵀ, A with few rows.
+MatrixXd times_transposed(const MatrixXd& a, const MatrixXd& b) {
+  MatrixXd sum = MatrixXd::Zero(a.rows(), b.rows());
+  for (Index j = 0; j < b.rows(); ++j)
+    for (Index k = 0; k < b.cols(); ++k)
+      for (Index i = 0; i < a.rows(); ++i)
+        sum(i, j) += a(i, k) * b(j, k);
+  return sum;
 }
 
 using Table = std::array<MatrixXd, cell_type_count>;
@@ -133,7 +144,10 @@ Eigen::Matrix<double, 6, 1> as_tensor(const material::Strain6& strain) {
 
 /// Of the points of cell::stiffness_rule, which may have one column for all.
 MatrixXd at_each_point(const MatrixXd& values, CellType type) {
-  return values.replicate(1, extrapolation(type).cols() / values.cols());
+  MatrixXd all(values.rows(), extrapolation(type).cols());
+  for (Index q = 0; q < all.cols(); ++q)
+    all.col(q) = values.col(q % values.cols());
+  return all;
 }
 
 } // namespace
@@ -202,7 +216,7 @@ MatrixXd CellTensors::linear_at_points(Tensor what, std::size_t cell) {
 }
 
 MatrixXd CellTensors::at_nodes(Tensor what, std::size_t cell) {
-  return at_points(what, cell) * extrapolation(mesh_.type_of(bulk_.cells[cell])).transpose();
+  return times_transposed(at_points(what, cell), extrapolation(mesh_.type_of(bulk_.cells[cell])));
 }
 
 namespace {
@@ -253,7 +267,7 @@ Eigen::VectorXd nodal_plastic_strain(const mesh::Mesh& mesh, const Bulk& bulk, c
                                      const Threads& threads) {
   const CellTensors tensors(mesh, bulk, dofs, u, heat, states);
   const auto of_cell = [&](CellTensors& own, std::size_t i) -> MatrixXd {
-    return own.cumulated_plastic_strain(i) * extrapolation(mesh.type_of(bulk.cells[i])).transpose();
+    return times_transposed(own.cumulated_plastic_strain(i), extrapolation(mesh.type_of(bulk.cells[i])));
   };
   return averaged(mesh, bulk, dofs, tensors, threads, 1, of_cell).transpose();
 }

@@ -37,4 +37,26 @@ void dpotrf_(const char* triangle, const int* size, double* matrix, const int* s
 void dpotri_(const char* triangle, const int* size, double* matrix, const int* stride, int* info);
 void dposv_(const char* triangle, const int* size, const int* right_sides, double* matrix, const int* stride,
             double* values, const int* values_stride, int* info);
+void dsyevd_(const char* vectors, const char* triangle, const int* size, double* matrix, const int* stride,
+             double* values, double* work, const int* work_size, int* integer_work, const int* integer_size,
+             int* info);
+void dsterf_(const int* size, double* diagonal, double* beside, int* info);
+void dsygvd_(const int* kind, const char* vectors, const char* triangle, const int* size, double* matrix,
+             const int* stride, double* mass, const int* mass_stride, double* values, double* work,
+             const int* work_size, int* integer_work, const int* integer_size, int* info);
+void dgeqrf_(const int* rows, const int* columns, double* matrix, const int* stride, double* factors,
+             double* work, const int* work_size, int* info);
+void dgeqp3_(const int* rows, const int* columns, double* matrix, const int* stride, int* pivots,
+             double* factors, double* work, const int* work_size, int* info);
+void dorgqr_(const int* rows, const int* columns, const int* reflections, double* matrix, const int* stride,
+             const double* factors, double* work, const int* work_size, int* info);
+void dormqr_(const char* side, const char* transposed, const int* rows, const int* columns,
+             const int* reflections, const double* matrix, const int* stride, const double* factors,
+             double* values, const int* values_stride, double* work, const int* work_size, int* info);
+void dtzrzf_(const int* rows, const int* columns, double* matrix, const int* stride, double* factors,
+             double* work, const int* work_size, int* info);
+void dormrz_(const char* side, const char* transposed, const int* rows, const int* columns,
+             const int* reflections, const int* beyond, const double* matrix, const int* stride,
+             const double* factors, double* values, const int* values_stride, double* work,
+             const int* work_size, int* info);
 }

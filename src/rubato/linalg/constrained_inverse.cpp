@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/linalg/constrained_inverse.hpp"
 
-#include "rubato/linalg/dense_cholesky.hpp"
-
-#include <Eigen/Cholesky>
+#include "rubato/linalg/sparse_products.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -28,10 +27,23 @@ MatrixXd schur_complement(const CholeskyFactor& factor, const SparseMatrix& cons
   MatrixXd schur(constraints.cols(), constraints.cols());
   for (Index first = 0; first < constraints.cols(); first += columns_at_once) {
     const Index count = std::min(columns_at_once, constraints.cols() - first);
-    const MatrixXd columns(constraints.middleCols(first, count));
-    schur.middleCols(first, count) = constraints.transpose() * factor.solve(columns);
+    const MatrixXd columns =
+        transposed_product(constraints, factor.solve(dense_columns(constraints, first, count)));
+    std::copy_n(columns.data(), columns.size(), schur.data() + first * schur.rows());
   }
-  return (schur + schur.transpose()) / 2;
+  for (Index j = 0; j < schur.cols(); ++j)
+    for (Index i = 0; i < j; ++i)
+      schur(i, j) = schur(j, i) = (schur(i, j) + schur(j, i)) / 2;
+  return schur;
+}
+
+MatrixXd chosen_rows_and_columns(const MatrixXd& matrix, const std::vector<int>& chosen) {
+  const auto count = static_cast<Index>(chosen.size());
+  MatrixXd part(count, count);
+  for (Index j = 0; j < count; ++j)
+    for (Index i = 0; i < count; ++i)
+      part(i, j) = matrix(chosen[static_cast<std::size_t>(i)], chosen[static_cast<std::size_t>(j)]);
+  return part;
 }
 
 /// Constraints that do not depend on one another, by S scaled to a unit diagonal.
@@ -40,9 +52,14 @@ std::vector<int> independent_constraints(const MatrixXd& schur) {
   for (int i = 0; i < schur.cols(); ++i)
     if (schur(i, i) > 0)
       columns.push_back(i);
-  const VectorXd scale = schur.diagonal()(columns).cwiseSqrt().cwiseInverse();
-  auto independent =
-      independent_rows(scale.asDiagonal() * schur(columns, columns) * scale.asDiagonal(), dependent);
+  auto scaled = chosen_rows_and_columns(schur, columns);
+  std::vector<double> scale;
+  for (const int column : columns)
+    scale.push_back(1 / std::sqrt(schur(column, column)));
+  for (Index j = 0; j < scaled.cols(); ++j)
+    for (Index i = 0; i < scaled.rows(); ++i)
+      scaled(i, j) = scale[static_cast<std::size_t>(i)] * scaled(i, j) * scale[static_cast<std::size_t>(j)];
+  auto independent = independent_rows(std::move(scaled), dependent);
   for (auto& row : independent)
     row = columns[static_cast<std::size_t>(row)];
   return independent;
@@ -60,11 +77,6 @@ SparseMatrix chosen_columns(const SparseMatrix& matrix, const std::vector<int>& 
 
 } // namespace
 
-struct ConstrainedInverse::Dense {
-  Eigen::LLT<MatrixXd> schur;   ///< of S
-  Eigen::LLT<MatrixXd> lengths; ///< of Cᵀ C
-};
-
 ConstrainedInverse::ConstrainedInverse(CholeskyFactor factor) : factor_(std::move(factor)) {}
 
 std::optional<ConstrainedInverse> ConstrainedInverse::of(const SparseMatrix& matrix,
@@ -81,9 +93,8 @@ std::optional<ConstrainedInverse> ConstrainedInverse::of(const SparseMatrix& mat
   const MatrixXd schur = schur_complement(inverse.factor_, constraints);
   const auto independent = independent_constraints(schur);
   inverse.constraints_ = chosen_columns(constraints, independent);
-  inverse.dense_ = std::make_shared<const Dense>(Dense{
-      Eigen::LLT<MatrixXd>(MatrixXd(schur(independent, independent))),
-      Eigen::LLT<MatrixXd>(MatrixXd(SparseMatrix(inverse.constraints_.transpose() * inverse.constraints_)))});
+  inverse.schur_.emplace(chosen_rows_and_columns(schur, independent));
+  inverse.lengths_.emplace(gram_of_columns(inverse.constraints_));
   return inverse;
 }
 
@@ -91,8 +102,8 @@ template <class Vectors> Vectors ConstrainedInverse::solve_constrained(const Vec
   Vectors solution = factor_.solve(right_sides);
   if (constraints_.cols() == 0)
     return solution;
-  const MatrixXd reaction = dense_->schur.solve(MatrixXd(constraints_.transpose() * solution));
-  return factor_.solve(Vectors(right_sides - constraints_ * reaction));
+  const Vectors reaction = schur_->solve(transposed_product(constraints_, solution));
+  return factor_.solve(Vectors(right_sides - product(constraints_, reaction)));
 }
 
 VectorXd ConstrainedInverse::solve(const VectorXd& right_side) const {
@@ -106,7 +117,7 @@ MatrixXd ConstrainedInverse::solve(const MatrixXd& right_sides) const {
 VectorXd ConstrainedInverse::without_reactions(const VectorXd& force) const {
   if (constraints_.cols() == 0)
     return force;
-  return force - constraints_ * dense_->lengths.solve(VectorXd(constraints_.transpose() * force));
+  return force - product(constraints_, lengths_->solve(transposed_product(constraints_, force)));
 }
 
 } // namespace rubato::linalg

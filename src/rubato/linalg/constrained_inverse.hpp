@@ -2,11 +2,11 @@
 /// Solutions of a symmetric positive definite system that keep linear constraints.
 #pragma once
 
+#include "rubato/linalg/dense_cholesky.hpp"
 #include "rubato/linalg/direct_solver.hpp"
 
 #include <Eigen/Core>
 
-#include <memory>
 #include <optional>
 
 namespace rubato::linalg {
@@ -32,15 +32,13 @@ public:
   const SparseMatrix& constraints() const { return constraints_; }
 
 private:
-  /// Dense Cholesky factors.
-  struct Dense;
-
   explicit ConstrainedInverse(CholeskyFactor factor);
   template <class Vectors> Vectors solve_constrained(const Vectors& right_sides) const;
 
   CholeskyFactor factor_;
   SparseMatrix constraints_;
-  std::shared_ptr<const Dense> dense_; ///< none without constraints
+  std::optional<DenseCholesky> schur_;   ///< of S; none without constraints
+  std::optional<DenseCholesky> lengths_; ///< of Cᵀ C; likewise
 };
 
 } // namespace rubato::linalg

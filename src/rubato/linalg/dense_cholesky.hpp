@@ -10,6 +10,21 @@
 
 namespace rubato::linalg {
 
+/// A = L Lᵀ (LAPACK), for several solves.
+class DenseCholesky {
+public:
+  /// The lower triangle of the matrix is read. Solutions are NaN where it is not positive definite.
+  explicit DenseCholesky(Eigen::MatrixXd matrix);
+
+  Eigen::VectorXd solve(Eigen::VectorXd right_side) const;
+  /// One column a right side.
+  Eigen::MatrixXd solve(Eigen::MatrixXd right_sides) const;
+
+private:
+  void solve_in_place(double* values, Eigen::Index columns) const;
+  Eigen::MatrixXd factor_;
+};
+
 /// x of A x = b; only the lower triangle of A is read. Full of NaN when A is not positive definite. Throws
 /// std::invalid_argument when sizes do not match.
 Eigen::VectorXd solve_positive_definite(Eigen::MatrixXd matrix, Eigen::VectorXd right_side);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Decompositions of small dense matrices by Eigen, compiled once: each place that instantiates one takes as
-/// long to compile as a file of its own.
+/// Decompositions of dense matrices by LAPACK. Eigen's templates for them take longer to compile than all
+/// else in a source.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,17 +12,21 @@ struct SymmetricEigen {
   Eigen::MatrixXd vectors; ///< a column each
 };
 
-/// A v = λ v with vectors of length one. Only the lower triangle of A is read.
+/// A v = λ v with vectors of length one. Only the lower triangle of A is read. Numbers that are not found, as
+/// of a matrix that is not finite, are NaN.
 SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& a);
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& a);
-/// A v = λ B v with v·B v = 1, B positive definite.
+/// The largest eigenvalue of a symmetric tridiagonal matrix, NaN when it is not found. `beside` holds the
+/// entries beside the diagonal.
+double largest_of_tridiagonal(Eigen::VectorXd diagonal, Eigen::VectorXd beside);
+/// A v = λ B v with v·B v = 1, B positive definite: otherwise all numbers are NaN.
 SymmetricEigen generalized_eigen(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
 /// Q of A = Q R (Householder): square and orthogonal; its first columns span those of A, where these are
 /// independent, the others what is perpendicular to them.
 Eigen::MatrixXd orthogonal_factor(const Eigen::MatrixXd& a);
 
-/// X of A X = B for symmetric A (LDLᵀ).
+/// X of A X = B for symmetric A. Unknowns whose pivots are rounding are 0.
 Eigen::MatrixXd solve_symmetric(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 /// The smallest x that leaves least of A x = b, whatever the rank of A.
 Eigen::VectorXd least_norm_solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);

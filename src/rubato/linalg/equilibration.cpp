@@ -28,8 +28,24 @@ double root_scale(double magnitude) {
   return std::ldexp(1.0, -static_cast<int>(std::lround(0.5 * std::log2(magnitude))));
 }
 
+Eigen::VectorXd root_scales(const Eigen::VectorXd& magnitudes) {
+  Eigen::VectorXd scales(magnitudes.size());
+  for (Eigen::Index i = 0; i < scales.size(); ++i)
+    scales[i] = root_scale(magnitudes[i]);
+  return scales;
+}
+
+void multiply(const Eigen::VectorXd& factors, Eigen::VectorXd& values) {
+  for (Eigen::Index i = 0; i < values.size(); ++i)
+    values[i] *= factors[i];
+}
+
 bool near_one(const Eigen::VectorXd& magnitudes) {
-  return magnitudes.minCoeff() > 0.25 && magnitudes.maxCoeff() < 4.0;
+  return std::ranges::all_of(magnitudes, [](double size) { return size > 0.25 && size < 4.0; });
+}
+
+bool has_zero(const Eigen::VectorXd& magnitudes) {
+  return std::ranges::find(magnitudes, 0.0) != magnitudes.end();
 }
 
 bool all_finite(const SparseMatrix& matrix) {
@@ -57,15 +73,17 @@ std::optional<EquilibratedMatrix> equilibrated(const SparseMatrix& matrix) {
   constexpr int sweep_limit = 10;
   for (int sweep = 0; sweep < sweep_limit; ++sweep) {
     const auto largest = largest_magnitudes(result.matrix);
-    if (largest.rows.minCoeff() == 0 || largest.columns.minCoeff() == 0)
+    if (has_zero(largest.rows) || has_zero(largest.columns))
       return std::nullopt;
     if (near_one(largest.rows) && near_one(largest.columns))
       break;
-    const Eigen::VectorXd rows = largest.rows.unaryExpr(&root_scale);
-    const Eigen::VectorXd columns = largest.columns.unaryExpr(&root_scale);
-    result.matrix = rows.asDiagonal() * result.matrix * columns.asDiagonal();
-    result.rows.array() *= rows.array();
-    result.columns.array() *= columns.array();
+    const auto rows = root_scales(largest.rows);
+    const auto columns = root_scales(largest.columns);
+    for (int column = 0; column < matrix.cols(); ++column)
+      for (SparseMatrix::InnerIterator entry(result.matrix, column); entry; ++entry)
+        entry.valueRef() = rows[entry.row()] * entry.value() * columns[column];
+    multiply(rows, result.rows);
+    multiply(columns, result.columns);
   }
   return result;
 }
@@ -76,15 +94,22 @@ void equilibrate(Eigen::MatrixXd& matrix, Eigen::VectorXd& rows, Eigen::VectorXd
   columns.resize(matrix.cols());
   for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
     double* column = matrix.col(j).data();
-    columns[j] = inverse_of(matrix.col(j).lpNorm<Eigen::Infinity>());
+    double size_of_column = 0;
+    for (Eigen::Index i = 0; i < size; ++i)
+      size_of_column = std::max(size_of_column, std::abs(column[i]));
+    columns[j] = inverse_of(size_of_column);
     for (Eigen::Index i = 0; i < size; ++i) { // one pass: small matrices of every iteration come here
       column[i] *= columns[j];
       rows[i] = std::max(rows[i], std::abs(column[i]));
     }
   }
-  rows = rows.unaryExpr(&inverse_of);
-  for (auto column : matrix.colwise())
-    column.array() *= rows.array();
+  for (double& row : rows)
+    row = inverse_of(row);
+  for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
+    double* column = matrix.col(j).data();
+    for (Eigen::Index i = 0; i < size; ++i)
+      column[i] *= rows[i];
+  }
 }
 
 } // namespace rubato::linalg

@@ -31,10 +31,10 @@ public:
   Eigen::Index rows() const { return size_; }
   Eigen::Index cols() const { return size_; }
   Eigen::VectorXd times(const Eigen::VectorXd& x) const { return product_(x); }
-  template <class Vector>
-  Eigen::Product<ProductMatrix, Vector, Eigen::AliasFreeProduct>
-  operator*(const Eigen::MatrixBase<Vector>& x) const {
-    return Eigen::Product<ProductMatrix, Vector, Eigen::AliasFreeProduct>(*this, x.derived());
+  template <class Operand>
+  Eigen::Product<ProductMatrix, Operand, Eigen::AliasFreeProduct>
+  operator*(const Eigen::MatrixBase<Operand>& x) const {
+    return Eigen::Product<ProductMatrix, Operand, Eigen::AliasFreeProduct>(*this, x.derived());
   }
 
 private:
@@ -44,14 +44,14 @@ private:
 
 } // namespace rubato::linalg
 
-template <class Vector>
-struct Eigen::internal::generic_product_impl<rubato::linalg::ProductMatrix, Vector, Eigen::SparseShape,
+template <class Operand>
+struct Eigen::internal::generic_product_impl<rubato::linalg::ProductMatrix, Operand, Eigen::SparseShape,
                                              Eigen::DenseShape, Eigen::GemvProduct>
     : Eigen::internal::generic_product_impl_base<
-          rubato::linalg::ProductMatrix, Vector,
-          Eigen::internal::generic_product_impl<rubato::linalg::ProductMatrix, Vector>> {
+          rubato::linalg::ProductMatrix, Operand,
+          Eigen::internal::generic_product_impl<rubato::linalg::ProductMatrix, Operand>> {
   template <class Result>
-  static void scaleAndAddTo(Result& result, const rubato::linalg::ProductMatrix& matrix, const Vector& x,
+  static void scaleAndAddTo(Result& result, const rubato::linalg::ProductMatrix& matrix, const Operand& x,
                             const double& factor) {
     result.noalias() += factor * matrix.times(x);
   }

@@ -3,9 +3,9 @@
 
 #include "rubato/linalg/conjugate_gradients.hpp"
 #include "rubato/linalg/fingerprint.hpp"
+#include "rubato/linalg/pivoted_qr.hpp"
 #include "rubato/linalg/ranked_matrix.hpp"
 
-#include <Eigen/QR>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,12 +26,6 @@ using Eigen::VectorXd;
 constexpr double first_tolerance = 1e-6;
 /// A set-up costs about as much as so many solves.
 constexpr double solves_of_set_up = 3;
-
-/// Motions that tell the rows of a body apart, orthonormal.
-MatrixXd independent(const MatrixXd& motions) {
-  const Eigen::ColPivHouseholderQR<MatrixXd> factor(motions);
-  return factor.householderQ() * MatrixXd::Identity(motions.rows(), factor.rank());
-}
 
 /// Of all frequencies, always the same.
 VectorXd any_right_side(Index size) {
@@ -120,7 +114,7 @@ MatrixByRows rows_of_body(const SparseMatrix& matrix, const std::vector<int>& un
     if (unknown >= 0)
       motions.row(static_cast<Index>(row)) = nodal.rigid.row(unknown);
   }
-  by_rows.near_null = independent(motions);
+  by_rows.near_null = PivotedQr(std::move(motions)).basis(); // tell the rows of a body apart
   by_rows.row = [&matrix, &rows, &place, held = mean_diagonal(matrix, unknowns)](
                     int row, std::vector<int>& columns, std::vector<double>& values) {
     columns.clear();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/linalg/lanczos.hpp"
 
-#include <Eigen/Eigenvalues>
+#include "rubato/linalg/dense_decompositions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -69,13 +69,11 @@ double largest_eigenvalue(const Product& multiply, const VectorXd& diagonal) {
   }
   if (!(scale > 0))
     return 0;
-  // Eigen takes entries for zero by their size, so they must be of order one.
-  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz;
-  ritz.computeFromTridiagonal(alpha.head(steps) / scale, beta.head(steps - 1) / scale,
-                              Eigen::EigenvaluesOnly);
-  if (ritz.info() != Eigen::Success)
+  alpha.conservativeResize(steps);
+  const double largest = largest_of_tridiagonal(alpha, beta);
+  if (!std::isfinite(largest))
     throw std::runtime_error("the largest eigenvalue of the explicit steps' matrix was not found");
-  return scale * ritz.eigenvalues()[steps - 1] / (1 - relative_error);
+  return largest / (1 - relative_error);
 }
 
 } // namespace rubato::linalg

@@ -1,23 +1,27 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/linalg/nodal_matrix.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <stdexcept>
 #include <vector>
 
 namespace rubato::linalg {
 namespace {
 
-template <int Components>
+template <std::size_t Components>
 void multiply(const Eigen::SparseMatrix<double, Eigen::RowMajor, int>& matrix, const Eigen::VectorXd& x,
               Eigen::VectorXd& y) {
-  using Nodes = Eigen::Matrix<double, Components, Eigen::Dynamic>;
-  const Eigen::Map<const Nodes> from(x.data(), Components, matrix.cols());
-  Eigen::Map<Nodes> to(y.data(), Components, matrix.rows());
   for (int row = 0; row < matrix.outerSize(); ++row) {
-    Eigen::Matrix<double, Components, 1> sum = Eigen::Matrix<double, Components, 1>::Zero();
-    for (Eigen::SparseMatrix<double, Eigen::RowMajor, int>::InnerIterator entry(matrix, row); entry; ++entry)
-      sum += entry.value() * from.col(entry.col());
-    to.col(row) = sum;
+    std::array<double, Components> sum{};
+    for (Eigen::SparseMatrix<double, Eigen::RowMajor, int>::InnerIterator entry(matrix, row); entry;
+         ++entry) {
+      const double* const from = x.data() + static_cast<std::ptrdiff_t>(Components) * entry.col();
+      for (std::size_t a = 0; a < Components; ++a)
+        sum[a] += entry.value() * from[a];
+    }
+    std::copy_n(sum.data(), Components, y.data() + static_cast<std::ptrdiff_t>(Components) * row);
   }
 }
 

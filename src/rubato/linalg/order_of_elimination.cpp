@@ -44,8 +44,8 @@ Graph graph_of(const PatternOfParts& pattern, const Inner& inner) {
         if (row != unknown && inner.number_of[at(row)] >= 0)
           neighbours.push_back(inner.number_of[at(row)]);
     std::ranges::sort(neighbours);
-    const auto repeated = std::ranges::unique(neighbours);
-    graph.neighbours.insert(graph.neighbours.end(), neighbours.begin(), repeated.begin());
+    const auto repeated = std::unique(neighbours.begin(), neighbours.end());
+    graph.neighbours.insert(graph.neighbours.end(), neighbours.begin(), repeated);
     graph.starts.push_back(static_cast<idx_t>(graph.neighbours.size()));
   }
   return graph;

@@ -3,6 +3,7 @@
 
 #include "rubato/core/error.hpp"
 #include "rubato/linalg/dense_cholesky.hpp"
+#include "rubato/linalg/dense_products.hpp"
 #include "rubato/linalg/fingerprint.hpp"
 #include "rubato/linalg/order_of_elimination.hpp"
 #include "rubato/linalg/petsc_module.hpp"
@@ -181,7 +182,10 @@ VectorXd RankedFactor::surface_of(const VectorXd& half_way) const {
   VectorXd moved(surface_size());
   for (std::size_t b = 0; b < compliances_.size(); ++b) {
     const Index first = surface_.starts[b], size = compliances_[b].rows();
-    moved.segment(first, size).noalias() = compliances_[b] * half_way.segment(size_ + first, size);
+    VectorXd of_body(size);
+    std::copy_n(half_way.data() + size_ + first, size, of_body.data());
+    of_body = product(compliances_[b], of_body);
+    std::copy_n(of_body.data(), size, moved.data() + first);
   }
   return moved;
 }
@@ -215,7 +219,7 @@ MatrixXd RankedFactor::compliance(std::size_t body, Index first, Index count) co
 
 VectorXd RankedFactor::moved_by(std::size_t body, const VectorXd& force) const {
   must_have_values();
-  return compliances_[body] * force;
+  return product(compliances_[body], force);
 }
 
 } // namespace rubato::linalg

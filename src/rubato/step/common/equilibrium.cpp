@@ -3,6 +3,7 @@
 
 #include "rubato/core/tolerances.hpp"
 #include "rubato/linalg/ranked_matrix.hpp"
+#include "rubato/linalg/sparse_products.hpp"
 #include "rubato/mesh/rounding.hpp"
 #include "rubato/model/model.hpp"
 
@@ -52,7 +53,8 @@ template <class SpringOf>
 void add_springs(const Model& model, const contact::Zone& zone, const SpringOf& spring_of,
                  VectorXd& stiffness) {
   const auto add = [&](mesh::NodeIndex node, double spring) {
-    stiffness.segment(model.dofs.dof(node, 0), model.dofs.components).array() += spring;
+    for (int i = 0; i < model.dofs.components; ++i)
+      stiffness[model.dofs.dof(node, i)] += spring;
   };
   double largest = 0;
   for (std::size_t i = 0; i < zone.points.size(); ++i) {
@@ -175,8 +177,8 @@ void Equilibrium::evaluate_ahead(const time::Motion& motion, const ContactForce&
   const double part = scheme_.forces.now / scheme_.internal_weight(); // of the whole step: half of the end
   const VectorXd moved = part * (motion.u - committed_.motion.u);
   bulk_.internal =
-      start.forces + linalg::summed(matrix_of(model_, start.tangent).selfadjointView<Eigen::Lower>() * moved,
-                                    model_.sharing());
+      start.forces +
+      linalg::summed(linalg::symmetric_product(matrix_of(model_, start.tangent), moved), model_.sharing());
   take_inertia(motion);
   sum_up(contact);
 }
@@ -221,7 +223,10 @@ void Equilibrium::measure(const time::Motion& motion, const ContactForce& contac
   if (!scheme_.dynamic)
     scale_ = std::max(scale_, committed_.force_scale);
   Index worst = 0;
-  const double largest = residual_.size() > 0 ? residual_.cwiseAbs().maxCoeff(&worst) : 0.0;
+  for (Index i = 1; i < residual_.size(); ++i)
+    if (std::abs(residual_[i]) > std::abs(residual_[worst]))
+      worst = i;
+  const double largest = residual_.size() > 0 ? std::abs(residual_[worst]) : 0.0;
   // Where nothing but rounding is left there is no force to measure it by: a body that moves without
   // strain.
   const double moved = std::min(motion.u.lpNorm<Eigen::Infinity>(), reach_);
@@ -235,7 +240,9 @@ void Equilibrium::measure(const time::Motion& motion, const ContactForce& contac
 
 bool Equilibrium::within_rounding(const time::Motion& motion, const ContactStiffness& stiffness, double far,
                                   double tolerance) const {
-  const VectorXd moved = motion.u.cwiseAbs().cwiseMin(reach_);
+  VectorXd moved = motion.u;
+  for (double& value : moved)
+    value = std::min(std::abs(value), reach_);
   VectorXd summed = VectorXd::Zero(moved.size());
   add_magnitudes(system_.coefficients.stiffness, model_.domain.initial_tangent(), moved, summed);
   if (scheme_.dynamic)
@@ -243,7 +250,10 @@ bool Equilibrium::within_rounding(const time::Motion& motion, const ContactStiff
   summed = linalg::summed(std::move(summed), model_.sharing());
   add_contact(stiffness, far, moved.lpNorm<Eigen::Infinity>(), summed);
   const VectorXd level = tolerances.rounding() * model_.reduction.gather_magnitudes(summed);
-  return (residual_.array().abs() <= level.array().max(tolerance * scale_)).all();
+  for (Index i = 0; i < residual_.size(); ++i)
+    if (!(std::abs(residual_[i]) <= std::max(level[i], tolerance * scale_)))
+      return false;
+  return true;
 }
 
 /// A contact force follows the gap by the stiffness there, and a gap is a difference of places; friction

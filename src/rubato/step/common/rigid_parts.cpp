@@ -4,8 +4,7 @@
 #include "rubato/linalg/dense_decompositions.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/study/study.hpp"
-
-#include <Eigen/Geometry>
+#include "rubato/linalg/dense_products.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -43,11 +42,21 @@ std::vector<mesh::CellIndex> constant_cells(const domain::Bulk& bulk) {
 void take_out(const VectorXd& row, MatrixXd& motions) {
   if (motions.cols() == 0)
     return;
-  const MatrixXd moved = motions.transpose() * row;
+  const VectorXd moved = linalg::transposed_product(motions, row);
   if (moved.norm() <= row_rounding * row.norm())
     return;
   const MatrixXd turned = linalg::orthogonal_factor(moved);
-  motions = (motions * turned.rightCols(motions.cols() - 1)).eval();
+  MatrixXd others(turned.rows(), motions.cols() - 1);
+  std::copy_n(turned.data() + turned.rows(), others.size(), others.data());
+  motions = linalg::product(motions, others);
+}
+
+MatrixXd transposed(const MatrixXd& matrix) {
+  MatrixXd turned(matrix.cols(), matrix.rows());
+  for (Index j = 0; j < matrix.cols(); ++j)
+    for (Index i = 0; i < matrix.rows(); ++i)
+      turned(j, i) = matrix(i, j);
+  return turned;
 }
 
 // Of all bodies, a column each: a few operations a node, as each step asks for them.
@@ -120,12 +129,27 @@ RigidParts::Modes RigidParts::modes_at(NodeIndex node) const {
   }
   const auto& body = bodies_[static_cast<std::size_t>(number_.of(node))];
   const Vector3d arm = (model_->mesh.points[static_cast<std::size_t>(node)] - body.centre) / body.size;
-  modes.leftCols(components).setIdentity();
-  for (Index k = components; k < modes.cols(); ++k) {
-    const Vector3d axis = Vector3d::Unit(components == 3 ? k - components : 2);
-    modes.col(k) = axis.cross(arm).head(components);
+  for (int a = 0; a < components; ++a)
+    modes(a, a) = 1;
+  if (components == 2) { // turns are axis × arm
+    modes(0, 2) = -arm[1];
+    modes(1, 2) = arm[0];
+    return modes;
   }
+  modes(1, 3) = -arm[2];
+  modes(2, 3) = arm[1];
+  modes(0, 4) = arm[2];
+  modes(2, 4) = -arm[0];
+  modes(0, 5) = -arm[1];
+  modes(1, 5) = arm[0];
   return modes;
+}
+
+VectorXd RigidParts::row_of(const Modes& modes, int row) {
+  VectorXd values(modes.cols());
+  for (Index k = 0; k < values.size(); ++k)
+    values[k] = modes(row, k);
+  return values;
 }
 
 /// What a gauge has of the modes of each body: cells between two of them may join what it holds.
@@ -134,9 +158,11 @@ std::map<int, VectorXd> RigidParts::rows_of(const model::Gauge& gauge) const {
   std::map<int, VectorXd> rows;
   for (std::size_t i = 0; i < gauge.nodes.size(); ++i)
     if (const int body = number_.of(gauge.nodes[i]); body >= 0) {
-      auto& row = rows.try_emplace(body, VectorXd::Zero(mode_count(*model_))).first->second;
-      row += modes_at(gauge.nodes[i]).transpose() *
-             gauge.values.segment(static_cast<Index>(i) * components, components);
+      VectorXd& row = rows.try_emplace(body, VectorXd::Zero(mode_count(*model_))).first->second;
+      const auto modes = modes_at(gauge.nodes[i]);
+      for (Index k = 0; k < row.size(); ++k)
+        for (int a = 0; a < components; ++a)
+          row[k] += modes(a, k) * gauge.values[static_cast<Index>(i) * components + a];
     }
   return rows;
 }
@@ -151,12 +177,12 @@ std::vector<MatrixXd> RigidParts::unresisted() const {
   };
   for (const auto& spring : model_->springs)
     if (const auto node = model_->node_of(spring.dof); number_.of(node) >= 0)
-      resist(node, modes_at(node).row(spring.dof % components).transpose());
+      resist(node, row_of(modes_at(node), spring.dof % components));
   for (const auto& connector : model_->connectors)
     if (connector.stiffness > 0)
       for (const auto& term : connector.row)
         if (const auto node = model_->node_of(term.dof); number_.of(node) >= 0)
-          resist(node, modes_at(node).row(term.dof % components).transpose());
+          resist(node, row_of(modes_at(node), term.dof % components));
   for (const auto& gauge : model_->gauges)
     for (const auto& [body, row] : rows_of(gauge))
       take_out(row, motions[static_cast<std::size_t>(body)]);
@@ -170,15 +196,19 @@ void RigidParts::fit_bodies() {
   for (const auto node : model_->dofs.nodes)
     if (const int body = number_.of(node); body >= 0) {
       const auto rows = modes_at(node);
-      grams[static_cast<std::size_t>(body)] += rows.transpose() * rows;
+      auto& gram = grams[static_cast<std::size_t>(body)];
+      for (Index j = 0; j < modes; ++j)
+        for (Index i = 0; i < modes; ++i)
+          for (Index a = 0; a < rows.rows(); ++a)
+            gram(i, j) += rows(a, i) * rows(a, j);
     }
   const auto motions = unresisted();
   for (std::size_t body = 0; body < bodies_.size(); ++body) {
     const auto& n = motions[body];
-    const MatrixXd gram = n.transpose() * grams[body] * n;
+    const MatrixXd gram = linalg::transposed_product(n, linalg::product(grams[body], n));
     bodies_[body].fit = MatrixXd::Zero(modes, modes);
     if (n.cols() > 0 && !bodies_[body].held)
-      bodies_[body].fit = n * linalg::solve_symmetric(gram, n.transpose());
+      bodies_[body].fit = linalg::product(n, linalg::solve_symmetric(gram, transposed(n)));
   }
 }
 
@@ -191,7 +221,7 @@ void RigidParts::find_held() {
     const auto node = model_->node_of(support.dof);
     const int body = number_.of(node);
     if (support.imposed.value == 0 && !model_->reduction.moves(support) && body >= 0)
-      take_out(modes_at(node).row(support.dof % model_->dofs.components).transpose(),
+      take_out(row_of(modes_at(node), support.dof % model_->dofs.components),
                motions[static_cast<std::size_t>(body)]);
   }
   for (std::size_t body = 0; body < bodies_.size(); ++body)
@@ -227,7 +257,13 @@ double RigidParts::work(const MatrixXd& motion, const MatrixXd& force) const {
     if (bodies_[body].held)
       continue;
     const auto column = static_cast<Index>(body);
-    sum += force.col(column).dot(bodies_[body].fit * motion.col(column));
+    const auto& fit = bodies_[body].fit;
+    for (Index i = 0; i < fit.rows(); ++i) {
+      double fitted = 0;
+      for (Index j = 0; j < fit.cols(); ++j)
+        fitted += fit(i, j) * motion(j, column);
+      sum += force(i, column) * fitted;
+    }
   }
   return sum;
 }

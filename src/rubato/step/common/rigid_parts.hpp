@@ -50,6 +50,7 @@ private:
   using Modes = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 3, 6>;
 
   Modes modes_at(mesh::NodeIndex node) const;
+  static Eigen::VectorXd row_of(const Modes& modes, int row);
   void place_bodies();
   void find_held();
   void collect_levers();

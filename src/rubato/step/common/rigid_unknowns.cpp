@@ -2,9 +2,6 @@
 #include "rubato/step/common/rigid_unknowns.hpp"
 
 #include "rubato/model/model.hpp"
-
-#include <Eigen/Geometry>
-
 #include <algorithm>
 
 namespace rubato::step {
@@ -23,8 +20,14 @@ Index motions_of(int components) {
 Vector3d moved(Index motion, int components, const Vector3d& place) {
   if (motion < components)
     return Vector3d::Unit(motion);
-  const auto axis = components == 3 ? motion - components : Index{2};
-  return Vector3d::Unit(axis).cross(place);
+  switch (components == 3 ? motion - components : Index{2}) { // axis × place
+  case 0:
+    return {0, -place[2], place[1]};
+  case 1:
+    return {place[2], 0, -place[0]};
+  default:
+    return {-place[1], place[0], 0};
+  }
 }
 
 } // namespace

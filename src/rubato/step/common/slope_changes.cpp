@@ -2,8 +2,10 @@
 #include "rubato/step/common/slope_changes.hpp"
 
 #include "rubato/model/model.hpp"
+#include "rubato/linalg/dense_lu.hpp"
+#include "rubato/linalg/dense_products.hpp"
 
-#include <Eigen/LU>
+#include <utility>
 
 namespace rubato::step {
 
@@ -49,7 +51,7 @@ SlopeChanges::SlopeChanges(const model::Model& model, const Compliance& complian
     rows_.col(k) = model.reduction.gather(row);
     answers_.col(k) = compliance.solve(rows_.col(k));
   }
-  between_ = rows_.transpose() * answers_;
+  between_ = linalg::transposed_product(rows_, answers_);
 }
 
 VectorXd SlopeChanges::adjusted(const VectorXd& residual, const time::Motion& motion) const {
@@ -59,10 +61,18 @@ VectorXd SlopeChanges::adjusted(const VectorXd& residual, const time::Motion& mo
   VectorXd changes(count);
   for (Index k = 0; k < count; ++k)
     changes[k] = slope_change(model_->connectors[places_[static_cast<std::size_t>(k)]], step_, motion);
-  const MatrixXd small = MatrixXd::Identity(count, count) + changes.asDiagonal() * between_;
-  const VectorXd right = changes.cwiseProduct(answers_.transpose() * residual);
-  const VectorXd y = small.partialPivLu().solve(right);
-  return y.allFinite() ? VectorXd(residual - rows_ * y) : residual;
+  MatrixXd small = between_;
+  VectorXd right = linalg::transposed_product(answers_, residual);
+  for (Index j = 0; j < count; ++j) {
+    for (Index i = 0; i < count; ++i)
+      small(i, j) = (i == j ? 1 : 0) + changes[i] * small(i, j);
+    right[j] *= changes[j];
+  }
+  const auto factors = linalg::DenseLu::of(std::move(small));
+  if (!factors)
+    return residual;
+  const VectorXd y = factors->solve(std::move(right));
+  return y.allFinite() ? VectorXd(residual - linalg::product(rows_, y)) : residual;
 }
 
 } // namespace rubato::step

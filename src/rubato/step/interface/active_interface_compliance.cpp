@@ -6,7 +6,10 @@
 #include "rubato/step/interface/body_threads.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <stdexcept>
+#include <vector>
 
 namespace rubato::step {
 namespace {
@@ -15,51 +18,58 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// What one point's unit forces move, row after row of them: one column an active dof.
-template <int Rows>
+/// What one point's unit forces move: `Rows` numbers an active dof.
+template <std::size_t Rows>
 void apply_compliance(const ActiveInterfaceCompliance& surface, const PointRows& point,
-                      MatrixXd& by_active_dof, Eigen::Matrix<double, Rows, Eigen::Dynamic>& by_row) {
-  by_active_dof.setZero(surface.size(), Rows);
-  for (int row = 0; row < Rows; ++row)
-    surface.add_motion(point.active_dofs, point.right.row(row), by_active_dof.col(row).data());
-  by_row = by_active_dof.transpose();
+                      std::vector<double>& by_active_dof, std::vector<double>& by_row) {
+  const auto size = static_cast<std::size_t>(surface.size());
+  by_active_dof.assign(size * Rows, 0.0);
+  by_row.resize(by_active_dof.size());
+  for (std::size_t row = 0; row < Rows; ++row) {
+    double* const of_row = by_active_dof.data() + row * size;
+    surface.add_motion(point.active_dofs, point.right.row(static_cast<Index>(row)), of_row);
+    for (std::size_t i = 0; i < size; ++i)
+      by_row[i * Rows + row] = of_row[i];
+  }
 }
 
-/// What one point sees of what another one moves.
-template <int Rows>
-Eigen::Matrix<double, Rows, Rows> seen_by(const PointRows& point,
-                                          const Eigen::Matrix<double, Rows, Eigen::Dynamic>& moved) {
-  using Column = Eigen::Map<const Eigen::Matrix<double, Rows, 1>>;
-  Eigen::Matrix<double, Rows, Rows> block = Eigen::Matrix<double, Rows, Rows>::Zero();
-  const double* left = point.left.data();
+/// What one point sees of what another one moves, column by column.
+template <std::size_t Rows>
+std::array<double, Rows * Rows> seen_by(const PointRows& point, const std::vector<double>& moved) {
+  std::array<double, Rows * Rows> block{};
+  const double* sees = point.left.data();
   for (const int active_dof : point.active_dofs) {
-    const Column sees(left);
-    const double* at_active_dof = moved.data() + active_dof * Rows;
-    for (int column = 0; column < Rows; ++column)
-      block.col(column) += at_active_dof[column] * sees;
-    left += point.left.rows();
+    const double* const at_active_dof = moved.data() + static_cast<std::size_t>(active_dof) * Rows;
+    for (std::size_t column = 0; column < Rows; ++column)
+      for (std::size_t row = 0; row < Rows; ++row)
+        block[column * Rows + row] += at_active_dof[column] * sees[row];
+    sees += point.left.rows();
   }
   return block;
 }
 
 /// What the forces of the points from `first` to before `last` do to all points.
-template <int Rows>
+template <std::size_t Rows>
 void fill_columns(const ActiveInterfaceCompliance& surface, std::span<const PointRows* const> points,
                   double factor, std::size_t first, std::size_t last, MatrixXd& matrix) {
-  MatrixXd by_active_dof;
-  Eigen::Matrix<double, Rows, Eigen::Dynamic> moved;
+  std::vector<double> by_active_dof, moved;
+  const auto size = points.size() * Rows;
   for (std::size_t j = first; j < last; ++j) {
     apply_compliance<Rows>(surface, *points[j], by_active_dof, moved);
-    for (std::size_t i = 0; i < points.size(); ++i)
-      matrix.template block<Rows, Rows>(static_cast<Index>(i) * Rows, static_cast<Index>(j) * Rows) =
-          factor * seen_by<Rows>(*points[i], moved);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const auto block = seen_by<Rows>(*points[i], moved);
+      double* to = matrix.data() + j * Rows * size + i * Rows;
+      for (std::size_t column = 0; column < Rows; ++column, to += size)
+        for (std::size_t row = 0; row < Rows; ++row)
+          to[row] = factor * block[column * Rows + row];
+    }
   }
 }
 
 /// Points of a thread's part at least: fewer are done sooner than another thread wakes up.
 constexpr std::size_t fewest_points = 100;
 
-template <int Rows>
+template <std::size_t Rows>
 void fill(const ActiveInterfaceCompliance& surface, std::span<const PointRows* const> points, double factor,
           MatrixXd& matrix) {
   surface.threads().each_range(points.size(), fewest_points, [&](std::size_t first, std::size_t last) {
@@ -71,8 +81,11 @@ void fill_up_with_zeros(MatrixXd& matrix, Index rows) {
   const Index known = matrix.rows();
   if (known >= rows)
     return;
-  matrix.conservativeResize(rows, Eigen::NoChange);
-  matrix.bottomRows(rows - known).setZero();
+  MatrixXd filled = MatrixXd::Zero(rows, matrix.cols());
+  for (Index j = 0; j < matrix.cols(); ++j)
+    for (Index i = 0; i < known; ++i)
+      filled(i, j) = matrix(i, j);
+  matrix.swap(filled);
 }
 
 } // namespace
@@ -142,10 +155,13 @@ void ActiveInterfaceCompliance::multiply(const VectorXd& force, VectorXd& moved)
 
 void ActiveInterfaceCompliance::multiply_by_surface(const VectorXd& force, VectorXd& moved) const {
   VectorXd on_surface = VectorXd::Zero(compliance_->size());
-  on_surface(interface_dofs_) = force;
+  for (std::size_t i = 0; i < interface_dofs_.size(); ++i)
+    on_surface[interface_dofs_[i]] = force[static_cast<Index>(i)];
   VectorXd of_surface = VectorXd::Zero(compliance_->size());
   compliance_->add(1, on_surface, of_surface);
-  moved = of_surface(interface_dofs_);
+  moved.resize(size());
+  for (std::size_t i = 0; i < interface_dofs_.size(); ++i)
+    moved[static_cast<Index>(i)] = of_surface[interface_dofs_[i]];
 }
 
 void ActiveInterfaceCompliance::add_motion(

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace rubato::step {
 namespace {
@@ -18,15 +20,29 @@ using Eigen::Index;
 /// Equations of size one that differ by less say the same.
 constexpr double no_pivot = 1e-10;
 
+template <class Matrix> bool is_zero_row(const Matrix& matrix, Index row) {
+  for (Index column = 0; column < matrix.cols(); ++column)
+    if (matrix(row, column) != 0)
+      return false;
+  return true;
+}
+
+template <class Matrix> double largest_of_rows(const Matrix& matrix, Index count) {
+  double largest = 0;
+  for (Index row = 0; row < count; ++row)
+    largest = std::max(largest, largest_of_row(matrix, row));
+  return largest;
+}
+
 /// dλ = 0 for rows without free dofs.
 void fix_unconstrained_multipliers(contact::FactoredResponse& r) {
   const Index d = r.components;
   for (Index row = d; row < d + r.multipliers(); ++row)
-    if (r.by_multiplier.row(row).isZero(0) &&
-        r.d_du.row(row).lpNorm<Eigen::Infinity>() <=
-            tolerances.empty_row * r.interpolation.topRows(d).lpNorm<Eigen::Infinity>()) {
+    if (is_zero_row(r.by_multiplier, row) &&
+        largest_of_row(r.d_du, row) <= tolerances.empty_row * largest_of_rows(r.interpolation, d)) {
       r.by_multiplier(row, row - d) = 1;
-      r.d_du.row(row).setZero();
+      for (Index q = 0; q < r.d_du.cols(); ++q)
+        r.d_du(row, q) = 0;
       r.equations[row - d] = 0;
     }
 }
@@ -189,36 +205,75 @@ private:
   std::array<double, most_rows> by_row_, by_column_, tau_, solution_;
 };
 
-/// Equations of a point, a right side last.
-using Rows = Eigen::Matrix<double, Dynamic, Dynamic, Eigen::RowMajor>;
+/// Equations of a point, a row each, a right side last.
+class EquationRows {
+public:
+  EquationRows(Index count, Index columns)
+      : count_(count), columns_(columns), values_(static_cast<std::size_t>(count * columns)) {}
+
+  Index count() const { return count_; }
+  Index columns() const { return columns_; }
+  double* row(Index row) { return values_.data() + row * columns_; }
+
+  void divide(Index row, double by) {
+    for (Index c = 0; c < columns_; ++c)
+      this->row(row)[c] /= by;
+  }
+  void swap(Index a, Index b) {
+    if (a != b)
+      std::swap_ranges(row(a), row(a) + columns_, row(b));
+  }
+  /// Subtracts a multiple of another row.
+  void subtract(double factor, Index other, Index from) {
+    const double* const by = row(other);
+    double* const to = row(from);
+    for (Index c = 0; c < columns_; ++c)
+      to[c] -= factor * by[c];
+  }
+
+private:
+  Index count_;
+  Index columns_;
+  std::vector<double> values_;
+};
 
 /// Gauss–Jordan with full pivoting among the unknowns, rows in the order of their pivots. False when some say
 /// the same: they are of no use then.
-bool reduce(Rows& rows, Index unknowns) {
+bool reduce(EquationRows& rows, Index unknowns) {
   std::array<Index, 3> pivots{};
-  const Index count = rows.rows();
-  for (auto row : rows.rowwise())
-    if (const double size = row.head(unknowns).norm(); size > 0)
-      row /= size;
+  const Index count = rows.count();
+  for (Index row = 0; row < count; ++row) {
+    double square = 0;
+    for (Index c = 0; c < unknowns; ++c)
+      square += rows.row(row)[c] * rows.row(row)[c];
+    if (square > 0)
+      rows.divide(row, std::sqrt(square));
+  }
   for (Index step = 0; step < count; ++step) {
-    Index at = 0;
+    Index at = step;
     Index pivot = 0;
-    if (rows.bottomLeftCorner(count - step, unknowns).cwiseAbs().maxCoeff(&at, &pivot) <= no_pivot)
+    for (Index row = step; row < count; ++row)
+      for (Index c = 0; c < unknowns; ++c)
+        if (std::abs(rows.row(row)[c]) > std::abs(rows.row(at)[pivot])) {
+          at = row;
+          pivot = c;
+        }
+    if (std::abs(rows.row(at)[pivot]) <= no_pivot)
       return false;
-    rows.row(step).swap(rows.row(step + at));
-    rows.row(step) /= rows(step, pivot);
+    rows.swap(step, at);
+    rows.divide(step, double{rows.row(step)[pivot]});
     for (Index other = 0; other < count; ++other)
       if (other != step)
-        rows.row(other) -= rows(other, pivot) * rows.row(step);
+        rows.subtract(double{rows.row(other)[pivot]}, step, other);
     pivots[static_cast<std::size_t>(step)] = pivot;
   }
-  std::array<Index, 3> order{0, 1, 2};
-  std::sort(order.begin(), order.begin() + count, [&](Index a, Index b) {
-    return pivots[static_cast<std::size_t>(a)] < pivots[static_cast<std::size_t>(b)];
-  });
-  const Rows unordered = rows;
-  for (Index row = 0; row < count; ++row)
-    rows.row(row) = unordered.row(order[static_cast<std::size_t>(row)]);
+  for (Index row = 0; row < count; ++row) // selection: three rows at most
+    for (Index other = row + 1; other < count; ++other)
+      if (auto& a = pivots[static_cast<std::size_t>(row)], &b = pivots[static_cast<std::size_t>(other)];
+          b < a) {
+        std::swap(a, b);
+        rows.swap(row, other);
+      }
   return true;
 }
 
@@ -241,34 +296,61 @@ void keep_multipliers(ActivePoint& point) {
   point.by_force.setIdentity(d, d);
   point.right.setZero(d);
   point.rows.left.resize(d + r.n_xi, r.d_du.cols());
-  point.rows.left << -r.d_du.topRows(d), -r.d_du.bottomRows(r.n_xi);
+  const Index slopes = r.d_du.rows() - r.n_xi;
+  for (Index q = 0; q < r.d_du.cols(); ++q) {
+    for (Index row = 0; row < d; ++row)
+      point.rows.left(row, q) = -r.d_du(row, q);
+    for (Index slope = 0; slope < r.n_xi; ++slope)
+      point.rows.left(d + slope, q) = -r.d_du(slopes + slope, q);
+  }
   point.rows.right = r.interpolation;
 }
 
 void reduce_equations(ActivePoint& point, double compliance) {
   const Index d = point.components();
-  auto left = point.rows.left.topRows(d);
+  auto& left = point.rows.left;
   const Index unknowns = d + left.cols();
-  Rows all(d, unknowns + 1);
-  all << point.by_force, compliance * left, point.right;
+  EquationRows all(d, unknowns + 1);
+  for (Index row = 0; row < d; ++row) {
+    double* const to = all.row(row);
+    for (Index c = 0; c < d; ++c)
+      to[c] = point.by_force(row, c);
+    for (Index q = 0; q < left.cols(); ++q)
+      to[d + q] = compliance * left(row, q);
+    to[unknowns] = point.right[row];
+  }
   if (!reduce(all, unknowns))
     return;
-  point.by_force = all.leftCols(d);
-  left = all.middleCols(d, left.cols()) / compliance;
-  point.right = all.rightCols<1>();
+  for (Index row = 0; row < d; ++row) {
+    const double* const from = all.row(row);
+    for (Index c = 0; c < d; ++c)
+      point.by_force(row, c) = from[c];
+    for (Index q = 0; q < left.cols(); ++q)
+      left(row, q) = from[d + q] / compliance;
+    point.right[row] = from[unknowns];
+  }
 }
 
-contact::PointVector multiplier_change(const ActivePoint& point,
-                                       const Eigen::Ref<const Eigen::VectorXd>& force,
+contact::PointVector multiplier_change(const ActivePoint& point, const double* force,
                                        const Eigen::VectorXd& moved) {
   const auto& r = point.response;
   const Index d = r.components;
   const Index m = r.multipliers();
-  Eigen::Matrix<double, Dynamic, 1, 0, 6, 1> right(d + m);
-  right << force, -r.equations;
-  for (std::size_t q = 0; q < point.interface_dofs.size(); ++q)
-    right -= r.d_du.col(static_cast<Index>(q)).head(d + m) * moved[point.interface_dofs[q]];
-  return point.inverse * right;
+  std::array<double, most_rows> right{};
+  for (Index row = 0; row < d + m; ++row)
+    right[static_cast<std::size_t>(row)] = row < d ? force[row] : -r.equations[row - d];
+  for (std::size_t q = 0; q < point.interface_dofs.size(); ++q) {
+    const double by = moved[point.interface_dofs[q]];
+    for (Index row = 0; row < d + m; ++row)
+      right[static_cast<std::size_t>(row)] -= r.d_du(row, static_cast<Index>(q)) * by;
+  }
+  contact::PointVector change(m);
+  for (Index row = 0; row < m; ++row) {
+    change[row] = 0;
+    for (Index c = 0; c < d + m; ++c)
+      change[row] += point.inverse(row, c) * right[static_cast<std::size_t>(c)];
+  }
+  return change;
 }
 
 } // namespace rubato::step

@@ -9,6 +9,8 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -35,6 +37,14 @@ struct ActivePoint {
   int n_xi() const { return response.n_xi; }
 };
 
+/// The largest magnitude.
+template <class Matrix> double largest_of_row(const Matrix& matrix, Eigen::Index row) {
+  double largest = 0;
+  for (Eigen::Index column = 0; column < matrix.cols(); ++column)
+    largest = std::max(largest, std::abs(matrix(row, column)));
+  return largest;
+}
+
 /// Takes the combinations of δz − Z_q δq − Z_m δm = 0 and −E_q δq − E_m δm = e that have no δm.
 void eliminate_multipliers(ActivePoint& point);
 
@@ -46,9 +56,9 @@ void keep_multipliers(ActivePoint& point);
 /// [length/force]. Points that differ little then have equations that differ little.
 void reduce_equations(ActivePoint& point, double compliance);
 
-/// δm of a point whose force changes by `force` while the surface moves by `moved`, one an interface dof.
-contact::PointVector multiplier_change(const ActivePoint& point,
-                                       const Eigen::Ref<const Eigen::VectorXd>& force,
+/// δm of a point whose force changes by `force`, one a component, while the surface moves by `moved`, one an
+/// interface dof.
+contact::PointVector multiplier_change(const ActivePoint& point, const double* force,
                                        const Eigen::VectorXd& moved);
 
 } // namespace rubato::step

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <vector>
 
 namespace rubato::step {
 namespace {
@@ -19,6 +20,53 @@ std::vector<int> positions_of_unknowns(const std::vector<int>& surface, Index un
   for (std::size_t i = 0; i < surface.size(); ++i)
     positions[static_cast<std::size_t>(surface[i])] = static_cast<int>(i);
   return positions;
+}
+
+using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
+
+/// y += B x
+void add_rows(const Rows& rows, const VectorXd& x, VectorXd& y) {
+  for (Index row = 0; row < rows.outerSize(); ++row) {
+    double sum = 0;
+    for (Rows::InnerIterator entry(rows, row); entry; ++entry)
+      sum += entry.value() * x[entry.col()];
+    y[row] += sum;
+  }
+}
+
+VectorXd transposed_product(const Rows& rows, const VectorXd& x) {
+  VectorXd y = VectorXd::Zero(rows.cols());
+  for (Index row = 0; row < rows.outerSize(); ++row)
+    for (Rows::InnerIterator entry(rows, row); entry; ++entry)
+      y[entry.col()] += entry.value() * x[row];
+  return y;
+}
+
+/// B S Bᵀ
+MatrixXd between_rows(const Rows& rows, const MatrixXd& s) {
+  MatrixXd right = MatrixXd::Zero(rows.rows(), s.cols());
+  for (Index j = 0; j < s.cols(); ++j)
+    for (Index row = 0; row < rows.outerSize(); ++row)
+      for (Rows::InnerIterator entry(rows, row); entry; ++entry)
+        right(row, j) += entry.value() * s(entry.col(), j);
+  MatrixXd between = MatrixXd::Zero(rows.rows(), rows.rows());
+  for (Index row = 0; row < rows.outerSize(); ++row)
+    for (Rows::InnerIterator entry(rows, row); entry; ++entry)
+      for (Index i = 0; i < right.rows(); ++i)
+        between(i, row) += right(i, entry.col()) * entry.value();
+  return between;
+}
+
+/// Bᵀ F
+linalg::SparseMatrix transposed_product(const Rows& rows, const linalg::SparseMatrix& forces) {
+  std::vector<Eigen::Triplet<double, int>> entries;
+  for (Index column = 0; column < forces.outerSize(); ++column)
+    for (linalg::SparseMatrix::InnerIterator force(forces, column); force; ++force)
+      for (Rows::InnerIterator entry(rows, force.row()); entry; ++entry)
+        entries.emplace_back(entry.col(), static_cast<int>(column), entry.value() * force.value());
+  linalg::SparseMatrix product(rows.cols(), forces.cols());
+  product.setFromTriplets(entries.begin(), entries.end());
+  return product;
 }
 
 } // namespace
@@ -105,11 +153,15 @@ void Compliance::relate(const constraint::Reduction& reduction, std::span<const 
 
 VectorXd Compliance::surface_of(const VectorXd& half_way) const {
   VectorXd moved = unknowns_.solver().surface_of(half_way);
-  return related_ ? VectorXd(related_->rows * moved) : moved;
+  if (!related_)
+    return moved;
+  VectorXd of_dofs = VectorXd::Zero(related_->rows.rows());
+  add_rows(related_->rows, moved, of_dofs);
+  return of_dofs;
 }
 
 void Compliance::load_surface(const VectorXd& force, VectorXd& half_way) const {
-  unknowns_.solver().load_surface(related_ ? VectorXd(related_->rows.transpose() * force) : force, half_way);
+  unknowns_.solver().load_surface(related_ ? transposed_product(related_->rows, force) : force, half_way);
 }
 
 MatrixXd Compliance::between(std::span<const int> interface_dofs) {
@@ -139,22 +191,21 @@ void Compliance::within_body(std::span<const int> interface_dofs, MatrixXd& s) {
           entry.value());
   Rows rows(static_cast<Index>(interface_dofs.size()), static_cast<Index>(positions.size()));
   rows.setFromTriplets(entries.begin(), entries.end());
-  const MatrixXd right = rows * unknowns_.between(positions);
-  s = right * rows.transpose();
+  s = between_rows(rows, unknowns_.between(positions));
 }
 
 MatrixXd Compliance::between_forces(const linalg::SparseMatrix& forces) const {
   if (!related_)
     return unknowns_.between_forces(forces);
-  return unknowns_.between_forces(linalg::SparseMatrix(related_->rows.transpose() * forces));
+  return unknowns_.between_forces(transposed_product(related_->rows, forces));
 }
 
 void Compliance::add(double factor, const VectorXd& force, VectorXd& d) {
   if (!related_)
     return unknowns_.add(factor, force, d);
   VectorXd moved = VectorXd::Zero(unknowns_.size());
-  unknowns_.add(factor, VectorXd(related_->rows.transpose() * force), moved);
-  d += related_->rows * moved;
+  unknowns_.add(factor, transposed_product(related_->rows, force), moved);
+  add_rows(related_->rows, moved, d);
 }
 
 void Compliance::add(double factor, std::span<const ForceAt> force, VectorXd& d) {

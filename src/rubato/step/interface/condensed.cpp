@@ -43,6 +43,17 @@ NormalSolution normal_solution(const Model& model, const EffectiveSystem& system
   return system.has_free_bodies ? NormalSolution::active_set : NormalSolution::near;
 }
 
+/// `at` becomes its place.
+double largest_difference(const VectorXd& a, const VectorXd& b, Index& at) {
+  double largest = -1;
+  for (Index i = 0; i < a.size(); ++i)
+    if (const double difference = std::abs(a[i] - b[i]); !(difference <= largest)) {
+      largest = difference;
+      at = i;
+    }
+  return largest;
+}
+
 /// Those that are followed: not with springs, which press as the gap of an iterate says, so that they let go
 /// where a shift lifts them off.
 FreeMotions followed_motions(const Model& model, const EffectiveSystem& system) {
@@ -266,9 +277,9 @@ double Condensed::surface_scale() const {
 
 void Condensed::measure_surface() {
   Index worst = 0;
-  const double largest =
-      force().size() > 0 ? scheme_.contact_weight() * (force() - surface_.applied).cwiseAbs().maxCoeff(&worst)
-                         : 0.0;
+  const double largest = force().size() > 0
+                             ? scheme_.contact_weight() * largest_difference(force(), surface_.applied, worst)
+                             : 0.0;
   report_.residual = largest == 0 ? 0 : largest / surface_scale();
   if (force().size() > 0)
     report_.worst_node =

@@ -30,10 +30,47 @@ constexpr double watched_in_place = 0.5;
 constexpr Index columns_of_thread = 128;
 constexpr std::size_t fewest_columns = 50;
 
+/// Keeps the entries that there are; others have any value.
+void enlarge(VectorXd& values, Index size) {
+  VectorXd larger(size);
+  std::copy_n(values.data(), values.size(), larger.data());
+  values.swap(larger);
+}
+
+/// The same of a square matrix.
+void enlarge(MatrixXd& matrix, Index size) {
+  MatrixXd larger(size, size);
+  for (Index j = 0; j < matrix.cols(); ++j)
+    std::copy_n(matrix.data() + j * matrix.rows(), matrix.rows(), larger.data() + j * size);
+  matrix.swap(larger);
+}
+
+/// Component of a vector along an axis of a point's frame.
+double along_axis(const PredictorPoint& point, Index axis, const Vector3d& vector) {
+  const double* const direction = &point.frame(0, axis);
+  return direction[0] * vector[0] + direction[1] * vector[1] + direction[2] * vector[2];
+}
+
+double length_of(double x, double y) {
+  return std::sqrt(x * x + y * y);
+}
+
+/// Shortens friction to its limit.
+void limit_friction(double limit, double* friction) {
+  if (const double length = length_of(friction[0], friction[1]); length > limit) {
+    friction[0] *= limit / length;
+    friction[1] *= limit / length;
+  }
+}
+
 } // namespace
 
 Vector3d measures_of(const PredictorPoint& point, const VectorXd& d) {
-  return point.value + point.frame.transpose() * point.stencil.gather(d);
+  const Vector3d moved = point.stencil.gather(d);
+  Vector3d measures = point.value;
+  for (int a = 0; a < 3; ++a)
+    measures[a] += along_axis(point, a, moved);
+  return measures;
 }
 
 void add_force(std::span<const PredictorPoint> points, int first, int last, VectorXd& force) {
@@ -42,7 +79,8 @@ void add_force(std::span<const PredictorPoint> points, int first, int last, Vect
       continue;
     Vector3d in_space = Vector3d::Zero();
     for (int a = first; a <= last; ++a)
-      in_space += point.force[a] * point.frame.col(a);
+      for (int c = 0; c < 3; ++c)
+        in_space[c] += point.force[a] * point.frame(c, a);
     point.stencil.scatter(in_space, force);
   }
 }
@@ -87,7 +125,8 @@ void ContactPredictor::solve_coupled(std::span<PredictorPoint> points, const Vec
       return;
     VectorXd forces(static_cast<Index>(together.size()) * components_);
     for (std::size_t k = 0; k < together.size(); ++k)
-      forces.segment(static_cast<Index>(k) * components_, components_) = together[k]->force.head(components_);
+      std::copy_n(together[k]->force.data(), components_,
+                  forces.data() + static_cast<Index>(k) * components_);
     add_cones(together, free, cones, progress);
     if (progress.stopped())
       return;
@@ -95,8 +134,8 @@ void ContactPredictor::solve_coupled(std::span<PredictorPoint> points, const Vec
     if (!solved)
       return;
     for (std::size_t k = 0; k < together.size(); ++k)
-      together[k]->force.head(components_) =
-          solved->segment(static_cast<Index>(k) * components_, components_);
+      std::copy_n(solved->data() + static_cast<Index>(k) * components_, components_,
+                  together[k]->force.data());
   }
 }
 
@@ -124,27 +163,29 @@ void ContactPredictor::add_cones(std::span<PredictorPoint* const> together, cons
   const auto count = static_cast<Index>(together.size());
   watch(together);
   Push pushed;
-  cones.matrix.conservativeResize(count * components_, count * components_);
-  cones.values.conservativeResize(count * components_);
-  cones.friction.conservativeResize(count);
+  enlarge(cones.matrix, count * components_);
+  enlarge(cones.values, count * components_);
+  enlarge(cones.friction, count);
   for (Index k = known; k < count && progress.report(); ++k) {
     const auto& point = *together[static_cast<std::size_t>(k)];
-    cones.values.segment(k * components_, components_) = measures_of(point, free).head(components_);
+    const Vector3d measures = measures_of(point, free);
+    std::copy_n(measures.data(), components_, cones.values.data() + k * components_);
     cones.friction[k] = point.friction;
     for (Index a = 0; a < components_; ++a) {
       push(point, static_cast<int>(a), pushed);
       const Index column = k * components_ + a;
       for (Index i = 0; i <= k; ++i) {
         const auto& seeing = *together[static_cast<std::size_t>(i)];
-        cones.matrix.col(column).segment(i * components_, components_) =
-            (seeing.frame.transpose() * seeing.stencil.gather(pushed.moved)).head(components_);
+        const Vector3d moved = seeing.stencil.gather(pushed.moved);
+        for (Index b = 0; b < components_; ++b)
+          cones.matrix(i * components_ + b, column) = along_axis(seeing, b, moved);
       }
-      cones.matrix.row(column).head(k * components_) =
-          cones.matrix.col(column).head(k * components_).transpose();
+      for (Index row = 0; row < k * components_; ++row)
+        cones.matrix(column, row) = cones.matrix(row, column);
     }
-    auto diagonal = cones.matrix.diagonal().segment(k * components_, components_);
-    diagonal[0] += point.penalty_compliance;
-    diagonal.tail(components_ - 1).array() += point.tangential_compliance;
+    for (Index a = 0; a < components_; ++a)
+      cones.matrix(k * components_ + a, k * components_ + a) +=
+          a == 0 ? point.penalty_compliance : point.tangential_compliance;
   }
 }
 
@@ -159,11 +200,14 @@ double ContactPredictor::misfit_by_point_compliance(std::span<const PredictorPoi
     const double gap = measures[0] + point.penalty_compliance * point.force[0];
     misfit = std::max(misfit, (point.force[0] > 0 ? std::abs(gap) : -gap) / point.point_compliance);
     largest = std::max(largest, point.force[0]);
-    const Eigen::Vector2d slip = measures.tail<2>() + point.tangential_compliance * point.force.tail<2>();
-    Eigen::Vector2d wanted = point.force.tail<2>() - slip / point.point_compliance;
-    if (const double length = wanted.norm(), limit = point.friction * point.force[0]; length > limit)
-      wanted *= limit / length;
-    misfit = std::max(misfit, (wanted - point.force.tail<2>()).norm());
+    std::array<double, 2> wanted{};
+    for (int a = 0; a < 2; ++a) {
+      const double friction = point.force[1 + a];
+      const double slip = measures[1 + a] + point.tangential_compliance * friction;
+      wanted[static_cast<std::size_t>(a)] = friction - slip / point.point_compliance;
+    }
+    limit_friction(point.friction * point.force[0], wanted.data());
+    misfit = std::max(misfit, length_of(wanted[0] - point.force[1], wanted[1] - point.force[2]));
   }
   return misfit > 0 ? misfit / largest : 0.0;
 }
@@ -185,19 +229,22 @@ double ContactPredictor::misfit(std::span<const PredictorPoint> points, const Ve
   const Index tangents = components_ - 1;
   for (std::size_t k = 0; k < sliding_.size(); ++k) {
     const auto& point = *chosen_[sliding_[k]];
-    const double point_compliance =
-        tangential_compliance_.diagonal().segment(static_cast<Index>(k) * tangents, tangents).maxCoeff();
-    const double limit = point.friction * point.force[0];
-    Eigen::Vector2d wanted = point.force.tail<2>();
-    if (point_compliance > 0)
-      wanted.head(tangents) -= (measures_of(point, d).segment(1, tangents) +
-                                point.tangential_compliance * point.force.segment(1, tangents)) /
-                               point_compliance;
-    if (const double length = wanted.norm(); length > limit)
-      wanted *= limit / length;
-    change = std::max(change, (wanted - point.force.tail<2>()).lpNorm<Eigen::Infinity>());
+    double point_compliance = -std::numeric_limits<double>::infinity();
+    for (Index i = static_cast<Index>(k) * tangents; i < static_cast<Index>(k + 1) * tangents; ++i)
+      point_compliance = std::max(point_compliance, tangential_compliance_(i, i));
+    std::array<double, 2> wanted{point.force[1], point.force[2]};
+    if (point_compliance > 0) {
+      const Vector3d measures = measures_of(point, d);
+      for (Index a = 0; a < tangents; ++a)
+        wanted[static_cast<std::size_t>(a)] -=
+            (measures[1 + a] + point.tangential_compliance * point.force[1 + a]) / point_compliance;
+    }
+    limit_friction(point.friction * point.force[0], wanted.data());
+    change = std::max({change, std::abs(wanted[0] - point.force[1]), std::abs(wanted[1] - point.force[2])});
   }
-  const double point_compliance = chosen_.empty() ? 0.0 : normal_compliance_.diagonal().maxCoeff();
+  double point_compliance = 0;
+  for (std::size_t k = 0; k < chosen_.size(); ++k)
+    point_compliance = k == 0 ? point_compliance_of(k) : std::max(point_compliance, point_compliance_of(k));
   for (const auto& point : points)
     if (point.force[0] == 0)
       if (const double gap = measures_of(point, d)[0]; gap < 0)
@@ -330,7 +377,8 @@ void ContactPredictor::find_normal_compliance() {
                                node.weight * chosen_[j]->frame(static_cast<Index>(c), 0));
   linalg::SparseMatrix forces(compliance_.size(), static_cast<Index>(chosen_.size()));
   forces.setFromTriplets(entries.begin(), entries.end());
-  normal_compliance_ = factor_ * compliance_.between_forces(forces);
+  normal_compliance_ = compliance_.between_forces(forces);
+  normal_compliance_ *= factor_;
 }
 
 /// By the rows and columns of the points chosen last.
@@ -342,14 +390,14 @@ void ContactPredictor::add_normal_compliance(Progress& progress) {
     progress.report();
     return;
   }
-  normal_compliance_.conservativeResize(count, count);
+  enlarge(normal_compliance_, count);
   watch(chosen_);
   each_column(known, count, progress, [&](Index j, Push& pushed) {
     push(*chosen_[static_cast<std::size_t>(j)], 0, pushed);
     for (Index i = 0; i <= j; ++i) {
       const auto& seeing = *chosen_[static_cast<std::size_t>(i)];
       normal_compliance_(i, j) = normal_compliance_(j, i) =
-          seeing.frame.col(0).dot(seeing.stencil.gather(pushed.moved));
+          along_axis(seeing, 0, seeing.stencil.gather(pushed.moved));
     }
   });
 }
@@ -373,7 +421,7 @@ void ContactPredictor::add_tangential_compliance(Progress& progress) {
         const Vector3d moved = seeing.stencil.gather(pushed.moved);
         for (Index a = 0; a < tangents; ++a)
           tangential_compliance_(i * tangents + a, j * tangents + b) =
-              tangential_compliance_(j * tangents + b, i * tangents + a) = seeing.frame.col(1 + a).dot(moved);
+              tangential_compliance_(j * tangents + b, i * tangents + a) = along_axis(seeing, 1 + a, moved);
       }
       tangential_compliance_(j * tangents + b, j * tangents + b) += point.tangential_compliance;
     }
@@ -405,7 +453,7 @@ void ContactPredictor::find_friction(std::span<PredictorPoint> points, const Vec
                                      Progress& progress) {
   for (auto& point : points)
     if (point.force[0] == 0 || point.friction == 0)
-      point.force.tail<2>().setZero();
+      point.force[1] = point.force[2] = 0;
   sliding_.clear();
   for (std::size_t k = 0; k < chosen_.size(); ++k)
     if (chosen_[k]->force[0] > 0 && chosen_[k]->friction > 0)
@@ -421,14 +469,15 @@ void ContactPredictor::find_friction(std::span<PredictorPoint> points, const Vec
   VectorXd limits(static_cast<Index>(sliding_.size()));
   for (Index k = 0; k < limits.size(); ++k) {
     const auto& point = *chosen_[sliding_[static_cast<std::size_t>(k)]];
-    slips.segment(k * tangents, tangents) = measures_of(point, without).segment(1, tangents);
-    forces.segment(k * tangents, tangents) = point.force.segment(1, tangents);
+    const Vector3d measures = measures_of(point, without);
+    std::copy_n(measures.data() + 1, tangents, slips.data() + k * tangents);
+    std::copy_n(point.force.data() + 1, tangents, forces.data() + k * tangents);
     limits[k] = point.friction * point.force[0];
   }
   solve_tresca_problem(tangential_compliance_, slips, limits, static_cast<int>(tangents), forces, progress);
   for (Index k = 0; k < limits.size(); ++k)
-    chosen_[sliding_[static_cast<std::size_t>(k)]]->force.segment(1, tangents) =
-        forces.segment(k * tangents, tangents);
+    std::copy_n(forces.data() + k * tangents, tangents,
+                chosen_[sliding_[static_cast<std::size_t>(k)]]->force.data() + 1);
 }
 
 } // namespace rubato::step

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// How the pressing forces of many points are predicted, by products with S.
+#include "rubato/linalg/sparse_products.hpp"
 #include "rubato/step/interface/contact_predictor.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rubato::step {
 
@@ -29,18 +31,20 @@ public:
     VectorXd spread = VectorXd::Zero(compliance_.size());
     for (std::size_t k = 0; k < points_.size(); ++k)
       if (const double force = forces[static_cast<Index>(k)]; force != 0)
-        points_[k]->stencil.scatter(force * points_[k]->frame.col(0), spread);
+        points_[k]->stencil.scatter(force * normal_of(k), spread);
     return spread;
   }
 
   VectorXd gaps(const VectorXd& d) const {
     VectorXd gaps(static_cast<Index>(points_.size()));
     for (std::size_t k = 0; k < points_.size(); ++k)
-      gaps[static_cast<Index>(k)] = points_[k]->frame.col(0).dot(points_[k]->stencil.gather(d));
+      gaps[static_cast<Index>(k)] = normal_of(k).dot(points_[k]->stencil.gather(d));
     return gaps;
   }
 
 private:
+  Eigen::Vector3d normal_of(std::size_t k) const { return Eigen::Vector3d(points_[k]->frame.data()); }
+
   std::span<PredictorPoint* const> points_;
   const Compliance& compliance_;
 };
@@ -53,7 +57,7 @@ VectorXd held_stiffness(const linalg::SparseMatrix& matrix, const Compliance& co
     compliance.for_each_unknown(static_cast<int>(i), [&](int unknown, double coefficient) {
       of_unknowns[unknown] += coefficient * moved[i];
     });
-  const VectorXd forces = matrix * of_unknowns;
+  const VectorXd forces = linalg::product(matrix, of_unknowns);
   VectorXd on_surface = VectorXd::Zero(moved.size());
   for (Index i = 0; i < moved.size(); ++i)
     compliance.for_each_unknown(static_cast<int>(i), [&](int unknown, double coefficient) {
@@ -90,7 +94,10 @@ void ContactPredictor::improve_by_products(std::span<PredictorPoint> points, con
   const NormalProducts products{[&](const VectorXd& by) {
                                   VectorXd moved = VectorXd::Zero(compliance_.size());
                                   compliance_.add(factor_, surface.spread(by), moved);
-                                  return VectorXd(surface.gaps(moved) + springs.cwiseProduct(by));
+                                  VectorXd gaps = surface.gaps(moved);
+                                  for (Index k = 0; k < count; ++k)
+                                    gaps[k] += springs[k] * by[k];
+                                  return gaps;
                                 },
                                 [&](const VectorXd& by) {
                                   return surface.gaps(
@@ -106,8 +113,11 @@ void ContactPredictor::improve_by_products(std::span<PredictorPoint> points, con
     auto& point = *chosen_[static_cast<std::size_t>(k)];
     point.force[0] = forces[k];
     const double limit = point.friction * point.force[0];
-    if (const double length = point.force.tail<2>().norm(); length > limit)
-      point.force.tail<2>() *= limit / length;
+    if (const double length = std::sqrt(point.force[1] * point.force[1] + point.force[2] * point.force[2]);
+        length > limit) {
+      point.force[1] *= limit / length;
+      point.force[2] *= limit / length;
+    }
   }
 }
 

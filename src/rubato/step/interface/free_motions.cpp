@@ -85,17 +85,20 @@ MatrixXd free_motions(const model::Model& model, const Compliance& compliance) {
 FreeMotions::FreeMotions(MatrixXd motions) : motions_(std::move(motions)) {
   if (count() == 0)
     return;
-  fit_.compute(motions_);
-  if (fit_.rank() < count())
+  fit_.emplace(motions_);
+  if (fit_->rank() < count())
     motions_.resize(motions_.rows(), 0);
 }
 
 std::optional<VectorXd> FreeMotions::shares(const VectorXd& correction, const MatrixXd& shifted) const {
-  const MatrixXd changes = fit_.solve(shifted.colwise() - correction);
-  const Eigen::ColPivHouseholderQR<MatrixXd> shares(changes);
+  MatrixXd changes = shifted;
+  for (Index k = 0; k < changes.cols(); ++k)
+    changes.col(k) -= correction;
+  const linalg::PivotedQr shares(fit_->solve(std::move(changes)));
   if (shares.rank() < count())
     return std::nullopt;
-  VectorXd found = -shares.solve(fit_.solve(correction));
+  VectorXd found = shares.solve(fit_->solve(correction)).col(0);
+  found *= -1;
   return found.allFinite() ? std::optional(std::move(found)) : std::nullopt;
 }
 

@@ -11,10 +11,10 @@
 #pragma once
 
 #include "rubato/model/fwd.hpp"
+#include "rubato/linalg/pivoted_qr.hpp"
 #include "rubato/step/interface/compliance.hpp"
 
 #include <Eigen/Core>
-#include <Eigen/QR>
 
 #include <optional>
 
@@ -39,7 +39,7 @@ public:
 
 private:
   Eigen::MatrixXd motions_;
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> fit_; ///< of the motions to others
+  std::optional<linalg::PivotedQr> fit_; ///< of the motions to others; none without motions
 };
 
 } // namespace rubato::step

@@ -3,7 +3,12 @@
 
 #include "rubato/linalg/dense_cholesky.hpp"
 #include "rubato/linalg/dense_lu.hpp"
+#include "rubato/linalg/dense_products.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -25,9 +30,8 @@ constexpr double tolerance = 1e-9;
 /// traces of a rigid motion would let points go that press.
 constexpr double augmentation = 10;
 
-/// Of a point: two or three components.
-using PointVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
-using PointMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
+/// Of a point with two or three components: a column each.
+using PointMatrix = std::array<std::array<double, 3>, 3>;
 
 /// Newton's method on F = projection of F − augmentation w, friction's limit following the pressing force.
 class Iteration {
@@ -39,7 +43,7 @@ public:
   bool run(Progress& progress) {
     linearise(forces_);
     for (int round = 0; round < most_newton_steps && progress.report() && left_.allFinite(); ++round) {
-      if (left_.lpNorm<Eigen::Infinity>() <= tolerance * forces_.lpNorm<Eigen::Infinity>()) {
+      if (linalg::largest_magnitude(left_) <= tolerance * linalg::largest_magnitude(forces_)) {
         forces_ -= left_;
         return true;
       }
@@ -58,7 +62,7 @@ private:
   /// left = F.
   struct Slope {
     bool pressed = false;
-    PointMatrix of_force, of_motion;
+    PointMatrix of_force{}, of_motion{};
   };
 
   /// Halves a move until it leaves less, and ends linearised there. Where no part does the whole is taken:
@@ -83,21 +87,30 @@ private:
     const auto pressed = pressed_points();
     VectorXd move = -left_;
     for (const Index k : pressed)
-      move.segment(k * size_, size_).setZero();
-    const VectorXd carried = cones_.matrix * move;
+      std::fill_n(move.data() + k * size_, size_, 0.0);
+    const VectorXd carried = linalg::product(cones_.matrix, move);
     VectorXd right(static_cast<Index>(pressed.size()) * size_);
     for (std::size_t i = 0; i < pressed.size(); ++i) {
       const Index k = pressed[i] * size_;
-      right.segment(static_cast<Index>(i) * size_, size_) =
-          -left_.segment(k, size_) - slope_of(pressed[i]).of_motion * carried.segment(k, size_);
+      const auto of_carried = product(slope_of(pressed[i]).of_motion, carried.data() + k);
+      for (Index a = 0; a < size_; ++a)
+        right[static_cast<Index>(i) * size_ + a] = -left_[k + a] - of_carried[static_cast<std::size_t>(a)];
     }
     const auto lu = linalg::DenseLu::of(slope_between(pressed));
     if (!lu)
       return std::nullopt;
     const VectorXd solved = lu->solve(std::move(right));
     for (std::size_t i = 0; i < pressed.size(); ++i)
-      move.segment(pressed[i] * size_, size_) = solved.segment(static_cast<Index>(i) * size_, size_);
+      std::copy_n(solved.data() + static_cast<Index>(i) * size_, size_, move.data() + pressed[i] * size_);
     return move;
+  }
+
+  std::array<double, 3> product(const PointMatrix& matrix, const double* x) const {
+    std::array<double, 3> y{};
+    for (Index b = 0; b < size_; ++b)
+      for (std::size_t a = 0; a < y.size(); ++a)
+        y[a] += matrix[static_cast<std::size_t>(b)][a] * x[b];
+    return y;
   }
 
   std::vector<Index> pressed_points() const {
@@ -112,20 +125,25 @@ private:
     const Index size = static_cast<Index>(points.size()) * size_;
     MatrixXd matrix(size, size);
     for (Index j = 0; j < size; ++j) {
-      const auto motion = cones_.matrix.col(points[static_cast<std::size_t>(j / size_)] * size_ + j % size_);
-      for (std::size_t i = 0; i < points.size(); ++i)
-        matrix.col(j).segment(static_cast<Index>(i) * size_, size_) =
-            slope_of(points[i]).of_motion.lazyProduct(motion.segment(points[i] * size_, size_));
+      const double* const motion =
+          &cones_.matrix(0, points[static_cast<std::size_t>(j / size_)] * size_ + j % size_);
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto block = product(slope_of(points[i]).of_motion, motion + points[i] * size_);
+        std::copy_n(block.begin(), size_, &matrix(static_cast<Index>(i) * size_, j));
+      }
     }
     for (std::size_t i = 0; i < points.size(); ++i)
-      matrix.block(static_cast<Index>(i) * size_, static_cast<Index>(i) * size_, size_, size_) +=
-          slope_of(points[i]).of_force;
+      for (Index b = 0; b < size_; ++b)
+        for (Index a = 0; a < size_; ++a)
+          matrix(static_cast<Index>(i) * size_ + a, static_cast<Index>(i) * size_ + b) +=
+              slope_of(points[i]).of_force[static_cast<std::size_t>(b)][static_cast<std::size_t>(a)];
     return matrix;
   }
 
   /// F − projection and its slope.
   void linearise(const VectorXd& f) {
-    motion_ = cones_.values + cones_.matrix * f;
+    motion_ = cones_.values;
+    linalg::add_product(cones_.matrix, f, motion_);
     left_ = f;
     for (Index k = 0; k < cones_.friction.size(); ++k)
       subtract_projection(k, f);
@@ -133,7 +151,7 @@ private:
 
   void subtract_projection(Index k, const VectorXd& f) {
     const Index n = k * size_;
-    const Index tangents = size_ - 1;
+    const auto size = static_cast<std::size_t>(size_);
     const double by = augmentation / cones_.matrix(n, n);
     const double pressing = f[n] - by * motion_[n];
     auto& slope = slopes_[static_cast<std::size_t>(k)];
@@ -142,25 +160,36 @@ private:
       return;
     left_[n] -= pressing;
     // Of the projection, by F − augmentation w.
-    PointMatrix projected = PointMatrix::Zero(size_, size_);
-    projected(0, 0) = 1;
-    const PointVector wanted = f.segment(n + 1, tangents) - by * motion_.segment(n + 1, tangents);
-    const double limit = cones_.friction[k] * pressing;
-    const double length = wanted.norm();
-    auto rubbing = projected.bottomRightCorner(tangents, tangents);
-    if (length < limit) {
-      left_.segment(n + 1, tangents) -= wanted;
-      rubbing.setIdentity();
-    } else if (length > 0) {
-      const PointVector along = wanted / length;
-      left_.segment(n + 1, tangents) -= limit * along;
-      rubbing.setIdentity();
-      rubbing -= along * along.transpose();
-      rubbing *= limit / length;
-      projected.col(0).tail(tangents) = cones_.friction[k] * along;
+    PointMatrix projected{};
+    projected[0][0] = 1;
+    std::array<double, 3> wanted{}; // along the slips
+    double square = 0;
+    for (std::size_t a = 1; a < size; ++a) {
+      const auto at = n + static_cast<Index>(a);
+      wanted[a] = f[at] - by * motion_[at];
+      square += wanted[a] * wanted[a];
     }
-    slope.of_force = PointMatrix::Identity(size_, size_) - projected;
-    slope.of_motion = by * projected;
+    const double limit = cones_.friction[k] * pressing;
+    const double length = std::sqrt(square);
+    if (length < limit) {
+      for (std::size_t a = 1; a < size; ++a) {
+        left_[n + static_cast<Index>(a)] -= wanted[a];
+        projected[a][a] = 1;
+      }
+    } else if (length > 0) {
+      for (std::size_t a = 1; a < size; ++a) {
+        const double along = wanted[a] / length;
+        left_[n + static_cast<Index>(a)] -= limit * along;
+        for (std::size_t b = 1; b < size; ++b)
+          projected[b][a] = ((a == b ? 1 : 0) - along * (wanted[b] / length)) * (limit / length);
+        projected[0][a] = cones_.friction[k] * along;
+      }
+    }
+    for (std::size_t b = 0; b < size; ++b)
+      for (std::size_t a = 0; a < size; ++a) {
+        slope.of_force[b][a] = (a == b ? 1 : 0) - projected[b][a];
+        slope.of_motion[b][a] = by * projected[b][a];
+      }
   }
 
   const Slope& slope_of(Index k) const { return slopes_[static_cast<std::size_t>(k)]; }

@@ -5,6 +5,7 @@
 #include "rubato/step/interface/near_surface.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rubato::step {
 
@@ -15,6 +16,14 @@ namespace {
 
 constexpr int most_gmres_products = 300;
 
+double mean_diagonal(const linalg::SparseMatrix& matrix) {
+  double sum = 0;
+  for (Index column = 0; column < matrix.outerSize(); ++column)
+    for (linalg::SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry)
+      sum += entry.row() == column ? entry.value() : 0.0;
+  return sum / static_cast<double>(matrix.cols());
+}
+
 } // namespace
 
 std::optional<InterfaceNewtonSystem::Change>
@@ -23,15 +32,23 @@ InterfaceNewtonSystem::solved_by_products(const VectorXd& c, const linalg::Whole
   if (!near)
     return std::nullopt;
   const auto left = residual(c, no_change());
-  const VectorXd by_row = equation_weights(left, force_weight_ / matrix.get().diagonal().mean());
-  const auto change_of = [&](const VectorXd& sides) {
-    const VectorXd x = near->solve(sides.cwiseQuotient(by_row));
-    return Change{x.head(forces_), x.tail(xi_count_), VectorXd()};
+  const VectorXd by_row = equation_weights(left, force_weight_ / mean_diagonal(matrix.get()));
+  const auto change_of = [&](VectorXd sides) {
+    for (Index i = 0; i < sides.size(); ++i)
+      sides[i] /= by_row[i];
+    const VectorXd x = near->solve(sides);
+    Change change{VectorXd(forces_), VectorXd(xi_count_), VectorXd()};
+    std::copy_n(x.data(), forces_, change.force.data());
+    std::copy_n(x.data() + forces_, xi_count_, change.xi.data());
+    return change;
   };
   const auto weighted = [&](const Change& sides) {
     VectorXd all(forces_ + xi_count_);
-    all << sides.force, sides.xi;
-    return VectorXd(by_row.cwiseProduct(all));
+    std::copy_n(sides.force.data(), forces_, all.data());
+    std::copy_n(sides.xi.data(), xi_count_, all.data() + forces_);
+    for (Index i = 0; i < all.size(); ++i)
+      all[i] *= by_row[i];
+    return all;
   };
   const VectorXd begun = weighted(left);
   // What a change takes of what is left: the equations are linear in it.
@@ -47,15 +64,16 @@ VectorXd InterfaceNewtonSystem::equation_weights(const Change& left, double comp
   VectorXd weights = VectorXd::Ones(forces_ + xi_count_);
   for (const auto& point : points())
     for (Index a = 0; a < point.components(); ++a) {
-      double size = point.by_force.row(a).lpNorm<Eigen::Infinity>();
-      if (point.rows.left.cols() > 0)
-        size = std::max(size, compliance * point.rows.left.row(a).lpNorm<Eigen::Infinity>());
+      const double size =
+          std::max(largest_of_row(point.by_force, a), compliance * largest_of_row(point.rows.left, a));
       if (size > 0)
         weights[point.first + a] = 1 / size;
     }
-  const double largest = weights.head(forces_).cwiseProduct(left.force).lpNorm<Eigen::Infinity>();
-  if (largest > 0)
-    weights.head(forces_) /= largest;
+  double largest = 0;
+  for (Index i = 0; i < forces_; ++i)
+    largest = std::max(largest, std::abs(weights[i] * left.force[i]));
+  for (Index i = 0; largest > 0 && i < forces_; ++i)
+    weights[i] /= largest;
   return weights;
 }
 

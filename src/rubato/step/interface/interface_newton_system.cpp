@@ -2,10 +2,12 @@
 #include "rubato/step/interface/interface_newton_system.hpp"
 
 #include "rubato/linalg/dense_decompositions.hpp"
+#include "rubato/linalg/dense_products.hpp"
 #include "rubato/linalg/equilibration.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -57,6 +59,17 @@ private:
   std::array<double, 5> all_{};
 };
 
+void copy_column(MatrixXd& matrix, Index from, Index to) {
+  std::copy_n(matrix.data() + from * matrix.rows(), matrix.rows(), matrix.data() + to * matrix.rows());
+}
+
+/// y_i = a_i x_i
+VectorXd scaled(const VectorXd& by, VectorXd values) {
+  for (Index i = 0; i < values.size(); ++i)
+    values[i] *= by[i];
+  return values;
+}
+
 std::pair<std::size_t, std::size_t> id_of(const ActivePoint& point) {
   return {point.zone, point.index};
 }
@@ -106,8 +119,8 @@ void InterfaceNewtonSystem::number_dofs(ActivePoint& point) {
       continue;
     point.interface_dofs.push_back(at);
     if (const auto from = static_cast<Index>(q); kept < from) {
-      r.interpolation.col(kept) = r.interpolation.col(from);
-      r.d_du.col(kept) = r.d_du.col(from);
+      copy_column(r.interpolation, from, kept);
+      copy_column(r.d_du, from, kept);
     }
     ++kept;
   }
@@ -137,7 +150,9 @@ InterfaceNewtonSystem::solve(const VectorXd& d0, const VectorXd& force, const li
     return no_change();
   VectorXd c;
   surface_.multiply(at_active_dofs(force), c);
-  c = at_active_dofs(d0) - force_weight_ * c;
+  const VectorXd at_start = at_active_dofs(d0);
+  for (Index i = 0; i < c.size(); ++i)
+    c[i] = at_start[i] - force_weight_ * c[i];
   if (!forms_compliance())
     return solved_by_products(c, matrix);
   if (forces_ + xi_count_ + shared_.size() > small)
@@ -205,8 +220,8 @@ void InterfaceNewtonSystem::forget_left_places() {
   for (const auto& point : points())
     present.insert(present.end(), point.interface_dofs.begin(), point.interface_dofs.end());
   std::ranges::sort(present);
-  const auto repeated = std::ranges::unique(present);
-  if (surface_.size() > 2 * (repeated.begin() - present.begin()))
+  const auto repeated = std::unique(present.begin(), present.end());
+  if (surface_.size() > 2 * (repeated - present.begin()))
     surface_.forget();
 }
 
@@ -252,33 +267,16 @@ MatrixXd InterfaceNewtonSystem::matrix_of(Index rows) const {
   Index first = 0;
   for (const auto& point : points()) {
     const Index d = point.components();
-    matrix.block(first, first, d, d) += point.by_force;
-    matrix.diagonal().segment(first + d, rows - d).array() += 1;
+    for (Index b = 0; b < d; ++b)
+      for (Index a = 0; a < d; ++a)
+        matrix(first + a, first + b) += point.by_force(a, b);
+    for (Index k = first + d; k < first + rows; ++k)
+      matrix(k, k) += 1;
     first += rows;
   }
   if (shared_.size() > 0)
     add_shared(rows, matrix);
   return matrix;
-}
-
-/// The rows and columns of the shared multipliers.
-void InterfaceNewtonSystem::add_shared(Index rows, MatrixXd& matrix) const {
-  const Index of_points = matrix.rows();
-  const Index shared = shared_.size();
-  matrix.conservativeResize(of_points + shared, of_points + shared);
-  matrix.rightCols(shared).setZero();
-  matrix.bottomRightCorner(shared, shared) = shared_.by_unknown();
-  Index first = 0;
-  for (const auto& point : points()) {
-    const auto& r = point.response;
-    matrix.block(of_points, first, shared, rows) =
-        -force_weight_ * (shared_.by_active_dof() * moved_by(surface_, point.rows, rows));
-    for (const auto& share : point.shares)
-      for (int a = 0; a < r.multipliers(); ++a)
-        matrix.col(of_points + shared_.unknown_of(share.first + a)).segment(first, r.components) -=
-            share.shape * r.by_multiplier.col(a).head(r.components);
-    first += rows;
-  }
 }
 
 bool InterfaceNewtonSystem::factor(Index rows) {
@@ -294,8 +292,9 @@ bool InterfaceNewtonSystem::factor(Index rows) {
 
 /// What the factors answer to what is left of the equations.
 InterfaceNewtonSystem::Change InterfaceNewtonSystem::correction(const Change& left) const {
-  const VectorXd right = row_scale_.cwiseProduct(joined(left, factored_rows_));
-  auto change = split(column_scale_.cwiseProduct(factors_->solve(right)), factored_rows_);
+  auto change =
+      split(scaled(column_scale_, factors_->solve(scaled(row_scale_, joined(left, factored_rows_)))),
+            factored_rows_);
   if (factored_rows_ == points().front().components()) {
     change.xi = left.xi;
     change.xi = xi_after(change);
@@ -307,29 +306,29 @@ InterfaceNewtonSystem::Change InterfaceNewtonSystem::correction(const Change& le
 /// of are 0.
 VectorXd InterfaceNewtonSystem::joined(const Change& change, Index rows) const {
   VectorXd all = VectorXd::Zero(static_cast<Index>(count_) * rows + shared_.size());
-  all.tail(shared_.size()) = change.shared;
-  Index first = 0;
+  double* to = all.data();
   for (const auto& point : points()) {
     const Index d = point.components();
-    all.segment(first, d) = change.force.segment(point.first, d);
+    std::copy_n(change.force.data() + point.first, d, to);
     if (rows > d)
-      all.segment(first + d, point.n_xi()) = change.xi.segment(point.first_slope, point.n_xi());
-    first += rows;
+      std::copy_n(change.xi.data() + point.first_slope, point.n_xi(), to + d);
+    to += rows;
   }
+  std::copy_n(change.shared.data(), shared_.size(), to);
   return all;
 }
 
 InterfaceNewtonSystem::Change InterfaceNewtonSystem::split(const VectorXd& all, Index rows) const {
   auto change = no_change();
-  change.shared = all.tail(shared_.size());
-  Index first = 0;
+  const double* from = all.data();
   for (const auto& point : points()) {
     const Index d = point.components();
-    change.force.segment(point.first, d) = all.segment(first, d);
+    std::copy_n(from, d, change.force.data() + point.first);
     if (rows > d)
-      change.xi.segment(point.first_slope, point.n_xi()) = all.segment(first + d, point.n_xi());
-    first += rows;
+      std::copy_n(from + d, point.n_xi(), change.xi.data() + point.first_slope);
+    from += rows;
   }
+  std::copy_n(from, shared_.size(), change.shared.data());
   return change;
 }
 
@@ -341,7 +340,7 @@ std::optional<InterfaceNewtonSystem::Change> InterfaceNewtonSystem::refined(cons
   for (int round = 0; round < rounds; ++round) {
     const auto left = residual(c, change);
     const double size = largest_row(left);
-    const double moves = left.xi.size() > 0 ? left.xi.lpNorm<Eigen::Infinity>() : 0.0;
+    const double moves = linalg::largest_magnitude(left.xi);
     if (round == 0)
       first = size;
     const double error = first > 0 ? std::max(size / first, moves) : moves;
@@ -415,7 +414,7 @@ VectorXd InterfaceNewtonSystem::motion(const Change& change) const {
     for (std::size_t q = 0; q < point.rows.active_dofs.size(); ++q)
       force[point.rows.active_dofs[q]] += force_of.on(q);
   }
-  if (force.isZero(0))
+  if (linalg::largest_magnitude(force) == 0)
     return force;
   VectorXd moved;
   surface_.multiply(force, moved);
@@ -423,7 +422,10 @@ VectorXd InterfaceNewtonSystem::motion(const Change& change) const {
 }
 
 InterfaceNewtonSystem::Change InterfaceNewtonSystem::residual(const VectorXd& c, const Change& change) const {
-  const VectorXd d = c - force_weight_ * motion(change);
+  VectorXd d = c;
+  const VectorXd moved = motion(change);
+  for (Index i = 0; i < d.size(); ++i)
+    d[i] -= force_weight_ * moved[i];
   Change left{VectorXd(forces_), -change.xi, VectorXd()};
   for (const auto& point : points()) {
     const int count = point.components();
@@ -443,24 +445,10 @@ InterfaceNewtonSystem::Change InterfaceNewtonSystem::residual(const VectorXd& c,
   return left;
 }
 
-/// What the shared multipliers leave of their equations and of the points'. `d`: one an active dof.
-void InterfaceNewtonSystem::add_shared(const Change& change, const VectorXd& d, Change& left) const {
-  if (shared_.size() == 0)
-    return;
-  left.shared = shared_.right() - shared_.by_unknown() * change.shared - shared_.by_active_dof() * d;
-  for (const auto& point : points()) {
-    const auto& r = point.response;
-    for (const auto& share : point.shares)
-      for (int a = 0; a < r.multipliers(); ++a)
-        left.force.segment(point.first, r.components) += share.shape *
-                                                         change.shared[shared_.unknown_of(share.first + a)] *
-                                                         r.by_multiplier.col(a).head(r.components);
-  }
-}
-
 /// δξ that follows from how a change moves the surface.
 VectorXd InterfaceNewtonSystem::xi_after(const Change& change) const {
-  const VectorXd d = -force_weight_ * motion(change);
+  VectorXd d = motion(change);
+  d *= -force_weight_;
   VectorXd xi = change.xi;
   for (const auto& point : points())
     add_xi(point, d, xi.data() + point.first_slope);
@@ -477,7 +465,7 @@ void InterfaceNewtonSystem::add_force(const Change& change, VectorXd& force) con
 
 contact::PointVector InterfaceNewtonSystem::multipliers_of(const ActivePoint& point, const Change& change,
                                                            const VectorXd& moved) const {
-  return multiplier_change(point, change.force.segment(point.first, point.components()), moved);
+  return multiplier_change(point, change.force.data() + point.first, moved);
 }
 
 } // namespace rubato::step

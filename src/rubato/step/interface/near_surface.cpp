@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/interface/near_surface.hpp"
 
+#include "rubato/linalg/sparse_products.hpp"
+
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -52,8 +55,8 @@ void add_point(const ActivePoint& point, int first, const Compliance& compliance
   for (std::size_t q = 0; q < point.interface_dofs.size(); ++q)
     compliance.for_each_unknown(point.interface_dofs[q], [&](int unknown, double coefficient) {
       const int at = near.place[static_cast<std::size_t>(unknown)];
-      const auto sees = point.rows.left.col(static_cast<Index>(q));
-      const auto pushes = point.rows.right.col(static_cast<Index>(q));
+      const double* const sees = &point.rows.left(0, static_cast<Index>(q));
+      const double* const pushes = &point.rows.right(0, static_cast<Index>(q));
       for (int i = 0; i < d; ++i) {
         if (sees[i] != 0)
           whole.emplace_back(first + i, at, coefficient * sees[i]);
@@ -96,10 +99,14 @@ VectorXd NearSurface::solve(const VectorXd& left) const {
   const Index slopes = slopes_.rows();
   const Index forces = left.size() - slopes;
   VectorXd right = VectorXd::Zero(near + forces);
-  right.tail(forces) = left.head(forces);
+  std::copy_n(left.data(), forces, right.data() + near);
   const VectorXd found = factor_.solve(right);
-  VectorXd change(left.size());
-  change << found.tail(forces), left.tail(slopes) + slopes_ * found.head(near);
+  VectorXd moved(near), change(left.size());
+  std::copy_n(found.data(), near, moved.data());
+  std::copy_n(found.data() + near, forces, change.data());
+  const VectorXd turned = linalg::product(slopes_, moved);
+  for (Index k = 0; k < slopes; ++k)
+    change[forces + k] = left[forces + k] + turned[k];
   return change;
 }
 

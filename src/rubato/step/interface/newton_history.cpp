@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/interface/newton_history.hpp"
 
-#include <Eigen/QR>
+#include "rubato/linalg/pivoted_qr.hpp"
 
 #include <cstddef>
 #include <utility>
@@ -16,8 +16,6 @@ using Eigen::VectorXd;
 /// Iterates that are remembered: few directions converge slowly.
 constexpr std::size_t most_entries = 6;
 constexpr double slow = 0.1;
-/// Differences that depend on one another to that part are not told apart.
-constexpr double dependent = 1e-6;
 
 } // namespace
 
@@ -32,10 +30,7 @@ std::vector<double> shares_of_history(std::span<const VectorXd> changes) {
   MatrixXd differences(changes.back().size(), static_cast<Index>(count));
   for (std::size_t j = 0; j < count; ++j)
     differences.col(static_cast<Index>(j)) = changes[j + 1] - changes[j];
-  Eigen::ColPivHouseholderQR<MatrixXd> factor;
-  factor.setThreshold(dependent);
-  factor.compute(differences);
-  const VectorXd shares = factor.solve(changes.back());
+  const VectorXd shares = linalg::PivotedQr(std::move(differences)).solve(changes.back());
   return shares.allFinite() ? std::vector<double>(shares.begin(), shares.end()) : std::vector<double>{};
 }
 

@@ -3,6 +3,7 @@
 
 #include "rubato/core/tolerances.hpp"
 #include "rubato/linalg/dense_cholesky.hpp"
+#include "rubato/linalg/dense_products.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,12 +36,16 @@ constexpr int norm_products = 12;
 constexpr int iterations_per_unknown = 20;
 constexpr int least_iterations = 500;
 
+bool is_nowhere_negative(const VectorXd& values) {
+  return std::ranges::all_of(values, [](double value) { return value >= 0; });
+}
+
 /// Primal-dual active set from what the sweeps have found; keeps that when the set doesn't settle. Whether it
 /// does.
 bool normal_active_set(const MatrixXd& matrix, const VectorXd& gaps, VectorXd& settled, Progress& progress) {
   VectorXd forces = settled;
   VectorXd open = gaps;
-  open.noalias() += matrix * forces;
+  linalg::add_product(matrix, forces, open);
   std::vector<Index> set;
   set.reserve(static_cast<std::size_t>(forces.size()));
   for (int round = 0; round < most_sets && progress.report(); ++round) {
@@ -53,10 +58,10 @@ bool normal_active_set(const MatrixXd& matrix, const VectorXd& gaps, VectorXd& s
     for (std::size_t k = 0; k < set.size(); ++k)
       forces[set[k]] = pressed[static_cast<Index>(k)];
     open = gaps;
-    open.noalias() += matrix * forces;
+    linalg::add_product(matrix, forces, open);
     for (const Index k : set)
       open[k] = 0;
-    if ((forces.array() >= 0).all() && (open.array() >= 0).all()) {
+    if (is_nowhere_negative(forces) && is_nowhere_negative(open)) {
       settled = forces;
       return true;
     }
@@ -114,11 +119,11 @@ private:
 
   bool join_most_violated() {
     VectorXd open = values_;
-    open.noalias() += matrix_ * forces_;
+    linalg::add_product(matrix_, forces_, open);
     for (const auto k : set_)
       open[k] = 0;
     Index worst = -1;
-    double least = -rounding * values_.lpNorm<Eigen::Infinity>();
+    double least = -rounding * linalg::largest_magnitude(values_);
     for (Index k = 0; k < open.size(); ++k)
       if (matrix_(k, k) > 0 && open[k] < least) {
         least = open[k];
@@ -145,11 +150,15 @@ struct Gradients {
       (x[i] > 0 ? free[i] : chopped[i]) = x[i] > 0 ? gradient[i] : std::min(gradient[i], 0.0);
   }
   double largest() const {
-    return std::max(free.lpNorm<Eigen::Infinity>(), chopped.lpNorm<Eigen::Infinity>());
+    return std::max(linalg::largest_magnitude(free), linalg::largest_magnitude(chopped));
   }
   /// The free gradient as far as one step of that length can follow it.
   VectorXd reduced_free(const VectorXd& x, double length) const {
-    return (free.array() > 0).select(free.cwiseMin(x / length), free);
+    VectorXd reduced = free;
+    for (Index i = 0; i < x.size(); ++i)
+      if (free[i] > 0)
+        reduced[i] = std::min(free[i], x[i] / length);
+    return reduced;
   }
 };
 
@@ -158,7 +167,9 @@ class Minimisation {
 public:
   Minimisation(const NormalProducts& products, const VectorXd& values, VectorXd start)
       : products_(products), values_(values), x_(std::move(start)) {
-    gradient_ = x_.isZero(0) ? values : VectorXd(product(x_) + values);
+    gradient_ = values;
+    if (linalg::largest_magnitude(x_) != 0)
+      gradient_ += product(x_);
     length_ = 1 / operator_norm();
   }
 
@@ -182,10 +193,14 @@ public:
 
 private:
   double operator_norm() const {
-    VectorXd v = VectorXd::LinSpaced(x_.size(), 1, 2);
+    VectorXd v(x_.size());
+    const auto last = static_cast<double>(v.size() - 1);
+    for (Index i = 0; i < v.size(); ++i)
+      v[i] = i == v.size() - 1 ? 2 : 1 + static_cast<double>(i) * (1 / last);
     double norm = 0;
     for (int i = 0; i < products_.norm_products; ++i) {
-      v.normalize();
+      if (const double length = v.norm(); length > 0)
+        v /= length;
       v = product(v);
       norm = v.norm();
     }
@@ -209,17 +224,25 @@ private:
     const double wanted = gradient_.dot(direction_) / curvature;
     const double feasible = largest_feasible_step();
     if (wanted <= feasible) {
-      x_ = (x_ - wanted * direction_).cwiseMax(0.0);
+      go(wanted, direction_);
       gradient_ -= wanted * moved;
-      const VectorXd z = preconditioned();
-      direction_ = z - z.dot(moved) / curvature * direction_;
+      VectorXd z = preconditioned();
+      z -= z.dot(moved) / curvature * direction_;
+      direction_.swap(z);
       return;
     }
-    x_ = (x_ - feasible * direction_).cwiseMax(0.0);
+    go(feasible, direction_);
     gradient_ -= feasible * moved;
-    x_ = (x_ - length_ * Gradients(x_, gradient_).free).cwiseMax(0.0);
-    gradient_ = product(x_) + values_;
+    go(length_, Gradients(x_, gradient_).free);
+    gradient_ = product(x_);
+    gradient_ += values_;
     restart();
+  }
+
+  /// Against the direction, as far as no force becomes negative.
+  void go(double step, const VectorXd& direction) {
+    for (Index i = 0; i < x_.size(); ++i)
+      x_[i] = std::max(0.0, x_[i] - step * direction[i]);
   }
 
   double largest_feasible_step() const {
@@ -233,7 +256,7 @@ private:
   void proportion(const VectorXd& chopped) {
     const VectorXd moved = product(chopped);
     const double step = gradient_.dot(chopped) / chopped.dot(moved);
-    x_ = (x_ - step * chopped).cwiseMax(0.0);
+    go(step, chopped);
     gradient_ -= step * moved;
     restart();
   }
@@ -250,7 +273,10 @@ private:
 
 /// Points that can move along their normals: a normal that only rounding turns out of what is held does not.
 std::vector<Index> movable(const MatrixXd& matrix) {
-  const double least = tolerances.empty_row * tolerances.empty_row * matrix.diagonal().maxCoeff();
+  double stiffest = -std::numeric_limits<double>::infinity();
+  for (Index k = 0; k < matrix.rows(); ++k)
+    stiffest = std::max(stiffest, matrix(k, k));
+  const double least = tolerances.empty_row * tolerances.empty_row * stiffest;
   std::vector<Index> points;
   for (Index k = 0; k < matrix.rows(); ++k)
     if (matrix(k, k) > least)
@@ -262,15 +288,24 @@ std::vector<Index> movable(const MatrixXd& matrix) {
 bool conjugate_gradients(const MatrixXd& matrix, const VectorXd& values, VectorXd& forces,
                          Progress& progress) {
   const auto points = movable(matrix);
-  const VectorXd gaps = values(points);
-  const CgLimits limits{gap_tolerance * gaps.lpNorm<Eigen::Infinity>(),
-                        least_iterations + iterations_per_unknown * static_cast<int>(points.size())};
-  const auto found =
-      minimise_over_nonnegative(matrix(points, points), gaps, forces(points), limits, progress);
+  const auto count = static_cast<Index>(points.size());
+  VectorXd gaps(count), start(count);
+  MatrixXd among(count, count);
+  for (Index j = 0; j < count; ++j) {
+    const Index point = points[static_cast<std::size_t>(j)];
+    gaps[j] = values[point];
+    start[j] = forces[point];
+    for (Index i = 0; i < count; ++i)
+      among(i, j) = matrix(points[static_cast<std::size_t>(i)], point);
+  }
+  const CgLimits limits{gap_tolerance * linalg::largest_magnitude(gaps),
+                        least_iterations + iterations_per_unknown * static_cast<int>(count)};
+  const auto found = minimise_over_nonnegative(among, gaps, std::move(start), limits, progress);
   if (!found)
     return false;
   forces.setZero();
-  forces(points) = *found;
+  for (Index j = 0; j < count; ++j)
+    forces[points[static_cast<std::size_t>(j)]] = (*found)[j];
   return true;
 }
 
@@ -288,7 +323,7 @@ bool solve_normal_problem(const MatrixXd& matrix, const VectorXd& values, Normal
 
 void normal_gauss_seidel(const MatrixXd& matrix, const VectorXd& values, VectorXd& forces) {
   VectorXd open = values;
-  open.noalias() += matrix * forces;
+  linalg::add_product(matrix, forces, open);
   for (int round = 0; round < most_sweeps; ++round) {
     bool turned = false;
     double largest_change = 0;
@@ -304,7 +339,10 @@ void normal_gauss_seidel(const MatrixXd& matrix, const VectorXd& values, VectorX
       forces[i] = wanted;
       open += change * matrix.col(i);
     }
-    if (!turned && largest_change <= good_enough * forces.maxCoeff())
+    double most = -std::numeric_limits<double>::infinity();
+    for (const double force : forces)
+      most = std::max(most, force);
+    if (!turned && largest_change <= good_enough * most)
       return;
   }
 }
@@ -323,9 +361,14 @@ std::optional<VectorXd> minimise_over_nonnegative(const NormalProducts& products
 std::optional<VectorXd> minimise_over_nonnegative(const MatrixXd& matrix, const VectorXd& values,
                                                   VectorXd start, const CgLimits& limits,
                                                   Progress& progress) {
-  const NormalProducts products{
-      [&](const VectorXd& forces) { return VectorXd(matrix * forces); },
-      [&](const VectorXd& gaps) { return VectorXd(gaps.cwiseQuotient(matrix.diagonal())); }, norm_products};
+  const NormalProducts products{[&](const VectorXd& forces) { return linalg::product(matrix, forces); },
+                                [&](const VectorXd& gaps) {
+                                  VectorXd forces = gaps;
+                                  for (Index k = 0; k < forces.size(); ++k)
+                                    forces[k] /= matrix(k, k);
+                                  return forces;
+                                },
+                                norm_products};
   return minimise_over_nonnegative(products, values, std::move(start), limits, progress);
 }
 

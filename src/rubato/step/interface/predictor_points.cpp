@@ -6,6 +6,7 @@
 #include "rubato/study/contact_methods.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace rubato::step {
@@ -28,11 +29,18 @@ constexpr double still_open = 0.5;
 
 void set_relations(const Model& model, const Compliance& compliance, const contact::Kinematics& k,
                    const VectorXd& moved, PredictorPoint& predicted) {
-  predicted.frame << k.normal, k.tangents;
+  std::copy_n(k.normal.data(), 3, predicted.frame.data());
+  for (Index a = 0; a < 2; ++a)
+    for (Index c = 0; c < 3; ++c)
+      predicted.frame(c, 1 + a) = k.tangents(c, a);
   predicted.stencil.take(k.stencil, model.dofs, compliance.interface_dof_of_dof());
   predicted.gap = k.gap - predicted.rest_gap;
-  predicted.value << predicted.gap, k.slip;
-  predicted.value -= predicted.frame.transpose() * predicted.stencil.gather(moved);
+  const Eigen::Vector3d at = predicted.stencil.gather(moved);
+  for (Index a = 0; a < 3; ++a) {
+    const double* const axis = &predicted.frame(0, a);
+    predicted.value[a] =
+        (a == 0 ? predicted.gap : k.slip[a - 1]) - (axis[0] * at[0] + axis[1] * at[1] + axis[2] * at[2]);
+  }
 }
 
 /// Takes the normal spring of a point as it is at the force predicted so far.
@@ -57,7 +65,9 @@ void set_forces(const contact::PointOutcome& outcome, const contact::Kinematics&
   predicted.force.setZero();
   predicted.force[0] = outcome.normal.norm();
   for (int a = 0; a + 1 < k.stencil.components; ++a)
-    predicted.force[1 + a] = outcome.tangential.dot(k.tangents.col(a));
+    predicted.force[1 + a] = outcome.tangential[0] * k.tangents(0, a) +
+                             outcome.tangential[1] * k.tangents(1, a) +
+                             outcome.tangential[2] * k.tangents(2, a);
 }
 
 bool holds_both_ways(const contact::Zone& zone) {
@@ -80,8 +90,9 @@ double friction_limit(const PredictorPoint& predicted) {
 Status status_of(const PredictorPoint& predicted) {
   if (predicted.force[0] == 0)
     return Status::open;
-  const Eigen::Vector2d friction = predicted.force.tail<2>();
-  return friction.norm() < (1 - nearly_at_limit) * friction_limit(predicted) ? Status::stick : Status::slip;
+  const double friction =
+      std::sqrt(predicted.force[1] * predicted.force[1] + predicted.force[2] * predicted.force[2]);
+  return friction < (1 - nearly_at_limit) * friction_limit(predicted) ? Status::stick : Status::slip;
 }
 
 /// λ, Λ₁, Λ₂ of a point with that force.
@@ -89,7 +100,8 @@ Eigen::Vector3d multipliers_of(const PredictorPoint& predicted) {
   Eigen::Vector3d values = Eigen::Vector3d::Zero();
   values[0] = predicted.force[0] / predicted.weight;
   if (const double limit = friction_limit(predicted); limit > 0)
-    values.tail<2>() = -predicted.force.tail<2>() / limit;
+    for (int a = 1; a <= 2; ++a)
+      values[a] = -predicted.force[a] / limit;
   return values;
 }
 
@@ -114,7 +126,8 @@ void take_mean_multipliers(const contact::Zone& zone, std::size_t z, std::span<c
         sums[point.multipliers[j] * count + k] += part * values[variable];
       }
   }
-  multipliers = (weights.array() > 0).select(sums.array() / weights.array(), 0.0);
+  for (Index i = 0; i < multipliers.size(); ++i)
+    multipliers[i] = weights[i] > 0 ? sums[i] / weights[i] : 0.0;
 }
 
 } // namespace

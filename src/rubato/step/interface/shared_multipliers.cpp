@@ -2,10 +2,13 @@
 #include "rubato/step/interface/shared_multipliers.hpp"
 
 #include "rubato/core/tolerances.hpp"
+#include "rubato/linalg/dense_products.hpp"
+#include "rubato/linalg/sparse_products.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace rubato::step {
 namespace {
@@ -128,7 +131,8 @@ bool SharedMultipliers::eliminate() {
       e.neighbours.push_back(unknown);
   e.by_neighbour.resize(count, static_cast<Index>(e.neighbours.size()));
   for (std::size_t k = 0; k < e.neighbours.size(); ++k)
-    e.by_neighbour.col(static_cast<Index>(k)) = e.factor->solve(VectorXd(coupling.col(e.neighbours[k])));
+    e.by_neighbour.col(static_cast<Index>(k)) =
+        e.factor->solve(VectorXd(linalg::dense_columns(coupling, e.neighbours[k], 1).col(0)));
   return true;
 }
 
@@ -145,8 +149,11 @@ void SharedMultipliers::assemble(Index places) {
   }
   if (!others_.empty()) {
     const auto& e = eliminated_;
-    by_unknown_(Eigen::all, e.neighbours) -= e.to_unknowns * e.by_neighbour;
-    right_ -= e.to_unknowns * free_;
+    const MatrixXd taken = linalg::product(e.to_unknowns, e.by_neighbour);
+    for (std::size_t k = 0; k < e.neighbours.size(); ++k)
+      for (Index row = 0; row < size(); ++row)
+        by_unknown_(row, e.neighbours[k]) -= taken(row, static_cast<Index>(k));
+    right_ -= linalg::product(e.to_unknowns, free_);
   }
   by_place_.resize(size(), places);
   by_place_.setFromTriplets(seen_.begin(), seen_.end());
@@ -154,12 +161,17 @@ void SharedMultipliers::assemble(Index places) {
 }
 
 void SharedMultipliers::fix_unconstrained() {
-  const double largest = by_place_.coeffs().size() > 0 ? by_place_.coeffs().abs().maxCoeff() : 0.0;
+  double largest = 0;
+  for (Index k = 0; k < by_place_.nonZeros(); ++k)
+    largest = std::max(largest, std::abs(by_place_.valuePtr()[k]));
   for (Index row = 0; row < size(); ++row) {
     double of_row = 0;
     for (Eigen::SparseMatrix<double, Eigen::RowMajor, int>::InnerIterator it(by_place_, row); it; ++it)
       of_row = std::max(of_row, std::abs(it.value()));
-    if (of_row > tolerances.empty_row * largest || !by_unknown_.row(row).isZero(0))
+    for (Index k = 0; k < size() && of_row <= tolerances.empty_row * largest; ++k)
+      if (by_unknown_(row, k) != 0)
+        of_row = std::numeric_limits<double>::infinity();
+    if (of_row > tolerances.empty_row * largest)
       continue;
     for (Eigen::SparseMatrix<double, Eigen::RowMajor, int>::InnerIterator it(by_place_, row); it; ++it)
       it.valueRef() = 0;
@@ -168,10 +180,22 @@ void SharedMultipliers::fix_unconstrained() {
   }
 }
 
+void SharedMultipliers::add_seen(double factor, const double* moved, double* sum) const {
+  for (Index row = 0; row < size(); ++row) {
+    double seen = 0;
+    for (Eigen::SparseMatrix<double, Eigen::RowMajor, int>::InnerIterator it(by_place_, row); it; ++it)
+      seen += it.value() * moved[it.col()];
+    sum[row] += factor * seen;
+  }
+}
+
 VectorXd SharedMultipliers::change_of_others(const VectorXd& change) const {
   if (others_.empty())
     return {};
-  return free_ - eliminated_.by_neighbour * change(eliminated_.neighbours);
+  VectorXd of_neighbours(static_cast<Index>(eliminated_.neighbours.size()));
+  for (Index k = 0; k < of_neighbours.size(); ++k)
+    of_neighbours[k] = change[eliminated_.neighbours[static_cast<std::size_t>(k)]];
+  return free_ - linalg::product(eliminated_.by_neighbour, of_neighbours);
 }
 
 } // namespace rubato::step

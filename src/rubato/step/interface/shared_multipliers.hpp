@@ -53,7 +53,8 @@ public:
   /// parts that are held, becomes dm = 0.
   void assemble(Eigen::Index places);
 
-  const Eigen::SparseMatrix<double, Eigen::RowMajor, int>& by_active_dof() const { return by_place_; }
+  /// Adds factor · E_q `moved`, one an unknown, to `sum`. `moved`: one a place.
+  void add_seen(double factor, const double* moved, double* sum) const;
   const Eigen::MatrixXd& by_unknown() const { return by_unknown_; }
   /// −Σ ψ e, what was eliminated taken into account.
   const Eigen::VectorXd& right() const { return right_; }

@@ -2,9 +2,12 @@
 #include "rubato/step/interface/tresca_problem.hpp"
 
 #include "rubato/linalg/dense_cholesky.hpp"
+#include "rubato/linalg/dense_products.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace rubato::step {
@@ -13,20 +16,25 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-/// Along the slips of a point.
-using Tangential = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 2, 1>;
 
 constexpr int most_friction_sweeps = 50;
 /// Change in a sweep, in parts of the largest limit, that a prediction needs no better than.
 constexpr double good_friction = 1e-2;
 constexpr int most_stick_sets = 30;
 
+double largest_value(const VectorXd& values) {
+  double largest = -std::numeric_limits<double>::infinity();
+  for (const double value : values)
+    largest = std::max(largest, value);
+  return largest;
+}
+
 /// From what the sweeps have found; keeps that when the set doesn't settle.
 void tresca_active_set(const MatrixXd& matrix, const VectorXd& slips, const VectorXd& limits,
                        VectorXd& settled, Progress& progress) {
   VectorXd forces = settled;
   VectorXd moved = slips;
-  moved.noalias() += matrix * forces;
+  linalg::add_product(matrix, forces, moved);
   VectorXd next, held;
   std::vector<Index> sticking;
   sticking.reserve(static_cast<std::size_t>(forces.size()));
@@ -41,16 +49,19 @@ void tresca_active_set(const MatrixXd& matrix, const VectorXd& slips, const Vect
         next[k] = std::copysign(limits[k], pulled);
     }
     held = slips;
-    held.noalias() += matrix * next;
+    linalg::add_product(matrix, next, held);
     const VectorXd pulled_back = linalg::solve_among(sticking, matrix, held);
     if (!pulled_back.allFinite()) // points that say the same
       return;
     for (std::size_t k = 0; k < sticking.size(); ++k)
       next[sticking[k]] = pulled_back[static_cast<Index>(k)];
-    const bool same = (next - forces).lpNorm<Eigen::Infinity>() <= 1e-9 * limits.maxCoeff();
+    double change = 0;
+    for (Index k = 0; k < forces.size(); ++k)
+      change = std::max(change, std::abs(next[k] - forces[k]));
+    const bool same = change <= 1e-9 * largest_value(limits);
     forces = next;
     moved = slips;
-    moved.noalias() += matrix * forces;
+    linalg::add_product(matrix, forces, moved);
     if (same) {
       settled = forces;
       return;
@@ -70,24 +81,34 @@ void solve_tresca_problem(const MatrixXd& matrix, const VectorXd& values, const 
 void tresca_gauss_seidel(const MatrixXd& matrix, const VectorXd& values, const VectorXd& limits, int tangents,
                          VectorXd& forces) {
   VectorXd slips = values;
-  slips.noalias() += matrix * forces;
+  linalg::add_product(matrix, forces, slips);
   for (int round = 0; round < most_friction_sweeps; ++round) {
     double largest_change = 0;
     for (Index i = 0; i < limits.size(); ++i) {
       const Index first = i * tangents;
-      const double stiffest = matrix.diagonal().segment(first, tangents).maxCoeff();
+      double stiffest = matrix(first, first);
+      for (Index a = 1; a < tangents; ++a)
+        stiffest = std::max(stiffest, matrix(first + a, first + a));
       if (stiffest <= 0)
         continue;
-      Tangential wanted = forces.segment(first, tangents) - slips.segment(first, tangents) / stiffest;
-      if (const double length = wanted.norm(); length > limits[i])
-        wanted *= limits[i] / length;
-      const Tangential change = wanted - forces.segment(first, tangents);
-      largest_change = std::max(largest_change, change.lpNorm<Eigen::Infinity>());
-      forces.segment(first, tangents) = wanted;
-      for (Index a = 0; a < tangents; ++a)
-        slips += change[a] * matrix.col(first + a);
+      std::array<double, 2> wanted{};
+      double square = 0;
+      for (Index a = 0; a < tangents; ++a) {
+        const double value = forces[first + a] - slips[first + a] / stiffest;
+        wanted[static_cast<std::size_t>(a)] = value;
+        square += value * value;
+      }
+      const double length = std::sqrt(square);
+      const double part = length > limits[i] ? limits[i] / length : 1;
+      for (Index a = 0; a < tangents; ++a) {
+        const double value = part * wanted[static_cast<std::size_t>(a)];
+        const double change = value - forces[first + a];
+        largest_change = std::max(largest_change, std::abs(change));
+        forces[first + a] = value;
+        slips += change * matrix.col(first + a);
+      }
     }
-    if (largest_change <= good_friction * limits.maxCoeff())
+    if (largest_change <= good_friction * largest_value(limits))
       return;
   }
 }

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Products of dense matrices of any size, compiled once: each source that instantiates Eigen's takes seconds
+/// more.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace rubato::linalg {
+
+/// A B
+Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+/// AᵀB
+Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+/// A x
+Eigen::VectorXd product(const Eigen::MatrixXd& a, const Eigen::VectorXd& x);
+/// Aᵀx
+Eigen::VectorXd transposed_product(const Eigen::MatrixXd& a, const Eigen::VectorXd& x);
+/// y += A x
+void add_product(const Eigen::MatrixXd& a, const Eigen::VectorXd& x, Eigen::VectorXd& y);
+
+/// The largest magnitude, 0 of no numbers.
+double largest_magnitude(const Eigen::VectorXd& values);
+
+} // namespace rubato::linalg
