@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # Gmsh, the mesh generator, through its C interface, for a program that loads it while it runs:
 #   Gmsh_INCLUDE_DIR   where gmshc.h is
-#   Gmsh_SONAME        the name to load the library by
+#   Gmsh_LIBRARY       the library
 find_path(Gmsh_INCLUDE_DIR gmshc.h)
 find_library(Gmsh_LIBRARY NAMES gmsh)
 
@@ -9,15 +9,10 @@ if(Gmsh_INCLUDE_DIR)
   file(STRINGS ${Gmsh_INCLUDE_DIR}/gmshc.h Gmsh_version_line REGEX "^#define GMSH_API_VERSION ")
   string(REGEX MATCH "[0-9.]+" Gmsh_VERSION "${Gmsh_version_line}")
 endif()
-if(Gmsh_LIBRARY AND NOT Gmsh_SONAME)
-  execute_process(COMMAND ${CMAKE_OBJDUMP} -p ${Gmsh_LIBRARY} OUTPUT_VARIABLE Gmsh_headers)
-  string(REGEX MATCH "SONAME +([^ \n]+)" Gmsh_soname_line "${Gmsh_headers}")
-  set(Gmsh_SONAME "${CMAKE_MATCH_1}" CACHE STRING "The name to load Gmsh's library by")
-endif()
 
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(
   Gmsh
-  REQUIRED_VARS Gmsh_LIBRARY Gmsh_INCLUDE_DIR Gmsh_SONAME
+  REQUIRED_VARS Gmsh_LIBRARY Gmsh_INCLUDE_DIR
   VERSION_VAR Gmsh_VERSION)
-mark_as_advanced(Gmsh_INCLUDE_DIR Gmsh_LIBRARY Gmsh_SONAME)
+mark_as_advanced(Gmsh_INCLUDE_DIR Gmsh_LIBRARY)

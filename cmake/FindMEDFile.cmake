@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 # MED, the exchange format of Salome and Code_Aster, through its C library.
+#   MEDFile_LIBRARY    the library, for a program that loads it while it runs
 #   MEDFile::MEDFile   to link with
 #   MEDFile::HDF5      the HDF5 library it was built with, for who calls that too
 #   medfile_sources(target file…)   lets these files of a target include med.h

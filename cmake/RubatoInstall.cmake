@@ -6,7 +6,6 @@ include(CMakePackageConfigHelpers)
 # said to be found, stand here: one line for each, "<name before the ::> <arguments of find_dependency>".
 set(rubato_unusual_packages
     "Eigen3 Eigen3 3.4 NO_MODULE"
-    "hdf5 HDF5"
     "pthread Threads")
 
 # What a program that links the static library must find: everything `rubato` itself links.

@@ -2,14 +2,19 @@
 # `make deb`: the Debian packages rubato (the program), librubato-dev (the library) and python3-rubato (the module, with
 # the reader of Code_Aster's command files), by CPack.
 
+get_property(rubato_loaded_packages GLOBAL PROPERTY RUBATO_LOADED_PACKAGES)
+get_property(rubato_suggested_packages GLOBAL PROPERTY RUBATO_SUGGESTED_PACKAGES)
+
 # The packages that a program with librubato.a is built with are those rubato itself is built with, but for those
-# of the command line, the tests and the benchmarks. cmake/install-dependencies has the one list.
+# of the command line, the tests and the benchmarks. cmake/install-dependencies has the one list. Libraries that are
+# loaded when first used are needed without their headers.
 function(rubato_development_packages result)
   file(READ ${PROJECT_SOURCE_DIR}/cmake/install-dependencies script)
   string(REGEX MATCH "\npackages=\\(([^)]*)\\)" unused "${script}")
   string(REGEX MATCHALL "[a-z0-9.+-]+" packages "${CMAKE_MATCH_1}")
   list(FILTER packages INCLUDE REGEX "^(lib.*-dev|zlib1g-dev|pkg-config)$")
-  list(FILTER packages EXCLUDE REGEX "^lib(gtest|benchmark|cli11|spdlog|nanoflann)-dev$")
+  list(FILTER packages EXCLUDE REGEX "^lib(gtest|benchmark|cli11|spdlog|nanoflann|medc|hdf5|rsvg2)-dev$")
+  list(APPEND packages ${rubato_loaded_packages})
   list(JOIN packages ", " packages)
   set(${result} "${packages}" PARENT_SCOPE)
 endfunction()
@@ -30,12 +35,11 @@ set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME rubato)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS fonts-dejavu-core) # letters of pictures
+list(JOIN rubato_loaded_packages ", " CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS)
+string(APPEND CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS ", fonts-dejavu-core") # letters of pictures
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
     "rubato computes how elastic bodies move, come into contact, slide and separate, in 2D and 3D. It reads a mesh and a one-page input file, and writes histories, fields and pictures.")
-if(Gmsh_SONAME)
-  string(REPLACE ".so." "" CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS ${Gmsh_SONAME}) # libgmsh4.8 meshes .geo files
-endif()
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS ${rubato_suggested_packages}) # Gmsh's library meshes .geo files
 
 rubato_development_packages(rubato_development_depends)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME librubato-dev)
@@ -72,6 +76,8 @@ if(TARGET rubato_python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
+  list(APPEND CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS ${rubato_loaded_packages})
+  list(JOIN CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS ", " CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS libmed-tools) # medimport reads MED files of version 2.3
   set(CPACK_COMPONENT_PYTHON_DESCRIPTION
       "The Python module of rubato: studies, meshes, simulations and results as arrays. It also runs Code_Aster studies: rubato aster study.comm.")

@@ -2,8 +2,8 @@
 // The program where Gmsh's library is broken.
 #include <gtest/gtest.h>
 
+#include "broken_library.hpp"
 #include "program.hpp"
-#include <optional>
 #include <string_view>
 
 namespace rubato::gmsh_library_test {
@@ -13,25 +13,10 @@ using test::run_program;
 
 class BrokenGmshLibrary : public testing::Test {
 protected:
-  BrokenGmshLibrary() {
-    test::write_text(folder_ / RUBATO_GMSH_LIBRARY, "no library\n");
-    test::write_text(folder_ / "square.geo", "Point(1) = {0, 0, 0};\n");
-    if (const char* before = std::getenv(path_variable))
-      before_ = before;
-    setenv(path_variable, (folder_.path().string() + (before_ ? ":" + *before_ : "")).c_str(), 1);
-  }
-  ~BrokenGmshLibrary() override {
-    if (before_)
-      setenv(path_variable, before_->c_str(), 1);
-    else
-      unsetenv(path_variable);
-  }
+  BrokenGmshLibrary() { test::write_text(folder_ / "square.geo", "Point(1) = {0, 0, 0};\n"); }
 
+  test::BrokenLibrary library_{RUBATO_GMSH_LIBRARY};
   test::ScratchFolder folder_;
-
-private:
-  static constexpr const char* path_variable = "LD_LIBRARY_PATH";
-  std::optional<std::string> before_;
 };
 
 TEST_F(BrokenGmshLibrary, IsNotLoadedByThoseWhoDoNotNeedIt) {
@@ -43,9 +28,9 @@ TEST_F(BrokenGmshLibrary, IsNotLoadedByThoseWhoDoNotNeedIt) {
 TEST_F(BrokenGmshLibrary, IsToldToWhoGivesAGmshGeometry) {
   const auto outcome = run_program({"info", "square.geo"}, folder_.path());
   EXPECT_EQ(outcome.exit_code, 2);
-  for (const std::string_view words :
-       {"error: mesh file 'square.geo' cannot be read by Gmsh: its library cannot", RUBATO_GMSH_LIBRARY,
-        "install it or convert the mesh to MED\n"})
+  for (const std::string_view words : {"error: mesh file 'square.geo' cannot be read by Gmsh: geometries "
+                                       "need the library " RUBATO_GMSH_LIBRARY ", which cannot be loaded (",
+                                       " or convert the mesh to MED\n"})
     EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
 }
 

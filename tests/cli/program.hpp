@@ -44,17 +44,17 @@ struct Limits {
 /// The running program. Whatever is still running when it goes is killed.
 class Program {
 public:
-  /// `folder` is the program's current folder.
-  Program(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
-          Limits limits = {}) {
-    write_text(streams_ / "known_leaks", "leak:libhdf5\n");
+  /// `folder` is the program's current folder. `file` is the program, rubato of the build by default.
+  Program(const std::vector<std::string>& arguments, const std::filesystem::path& folder, Limits limits = {},
+          const std::string& file = RUBATO_PROGRAM) {
+    write_text(streams_ / "known_leaks", "leak:hdf5\n");
     id_ = fork();
     if (id_ < 0)
       throw std::runtime_error("no process");
     if (id_ == 0) {
       limit(RLIMIT_FSIZE, limits.file_size);
       limit(RLIMIT_AS, limits.memory);
-      become(arguments, folder);
+      become(file, arguments, folder);
     }
   }
   ~Program() {
@@ -82,7 +82,7 @@ public:
   }
 
 private:
-  [[noreturn]] void become(const std::vector<std::string>& arguments,
+  [[noreturn]] void become(const std::string& file, const std::vector<std::string>& arguments,
                            const std::filesystem::path& folder) const {
     redirect(STDOUT_FILENO, streams_ / "out");
     redirect(STDERR_FILENO, streams_ / "err");
@@ -90,14 +90,14 @@ private:
     // tell.
     setenv("LSAN_OPTIONS",
            ("print_suppressions=0:suppressions=" + (streams_ / "known_leaks").string()).c_str(), 1);
-    std::vector<std::string> words{RUBATO_PROGRAM};
+    std::vector<std::string> words{file};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;
     for (auto& word : words)
       pointers.push_back(word.data());
     pointers.push_back(nullptr);
     if (chdir(folder.c_str()) == 0)
-      execv(RUBATO_PROGRAM, pointers.data());
+      execv(file.c_str(), pointers.data());
     _exit(127);
   }
 

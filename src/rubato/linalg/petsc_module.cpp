@@ -2,6 +2,7 @@
 #include "rubato/linalg/petsc_module.hpp"
 
 #include "rubato/core/error.hpp"
+#include "rubato/core/module_file.hpp"
 
 #include <fmt/format.h>
 
@@ -9,50 +10,17 @@
 #include <charconv>
 #include <cstdlib>
 #include <dlfcn.h>
-#include <filesystem>
 #include <string_view>
-#include <system_error>
 
 namespace rubato::linalg {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr const char* module_file = "rubato_petsc.so";
-/// Where it is below a folder above the program: of the build and of an installation.
-constexpr const char* module_folder = "lib/rubato";
-
-fs::path resolved(const fs::path& file) {
-  std::error_code failed;
-  const auto whole = fs::canonical(file, failed);
-  return failed ? fs::path() : whole;
-}
-
-/// In the folders above a file, the nearest first; nothing when it is in none.
-fs::path module_above(const fs::path& file) {
-  for (auto folder = file.parent_path(); folder.has_relative_path(); folder = folder.parent_path()) {
-    std::error_code failed;
-    if (const auto path = folder / module_folder / module_file; fs::exists(path, failed))
-      return path;
-  }
-  return {};
-}
-
-/// Above what this code was linked into: a program, which may have been started by its bare name, or the
-/// Python module. Else wherever the loader looks.
-fs::path module_path() {
-  Dl_info here{};
-  if (dladdr(module_file, &here) != 0 && here.dli_fname != nullptr)
-    if (auto path = module_above(resolved(here.dli_fname)); !path.empty())
-      return path;
-  if (auto path = module_above(resolved("/proc/self/exe")); !path.empty())
-    return path;
-  return module_file;
-}
 
 /// Never unloaded: libraries it brings keep what cannot be taken down before the program's end.
 void* load_module() {
-  void* handle = dlopen(module_path().c_str(), RTLD_NOW | RTLD_LOCAL);
+  const auto path = module_path(module_file);
+  void* handle = dlopen(path.empty() ? module_file : path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr)
     throw ModuleMissing(dlerror());
   return handle;

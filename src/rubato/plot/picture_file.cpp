@@ -3,13 +3,13 @@
 
 #include "rubato/core/error.hpp"
 #include "rubato/core/writing.hpp"
+#include "rubato/plot/rsvg_library.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 #include <fstream>
-#include <librsvg/rsvg.h>
 #include <memory>
 #include <stdexcept>
 
@@ -19,11 +19,11 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Release {
-  void operator()(GInputStream* stream) const { g_object_unref(stream); }
-  void operator()(RsvgHandle* handle) const { g_object_unref(handle); }
-  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-  void operator()(cairo_t* context) const { cairo_destroy(context); }
-  void operator()(GError* error) const { g_error_free(error); }
+  void operator()(GInputStream* stream) const { rsvg().object_unref(stream); }
+  void operator()(RsvgHandle* handle) const { rsvg().object_unref(handle); }
+  void operator()(cairo_surface_t* surface) const { rsvg().surface_destroy(surface); }
+  void operator()(cairo_t* context) const { rsvg().context_destroy(context); }
+  void operator()(GError* error) const { rsvg().error_free(error); }
 };
 template <class T> using Owned = std::unique_ptr<T, Release>;
 
@@ -41,11 +41,11 @@ std::string ending_of(const fs::path& path) {
 
 Owned<RsvgHandle> read_svg(const std::string& svg) {
   const Owned<GInputStream> stream(
-      g_memory_input_stream_new_from_data(svg.data(), static_cast<gssize>(svg.size()), nullptr));
+      rsvg().memory_input_stream_new_from_data(svg.data(), static_cast<gssize>(svg.size()), nullptr));
   GError* error = nullptr;
   // Unlimited: texts of many megabytes are taken too.
   Owned<RsvgHandle> handle(
-      rsvg_handle_new_from_stream_sync(stream.get(), nullptr, RSVG_HANDLE_FLAG_UNLIMITED, nullptr, &error));
+      rsvg().handle_new_from_stream_sync(stream.get(), nullptr, RSVG_HANDLE_FLAG_UNLIMITED, nullptr, &error));
   if (!handle)
     fail(error);
   return handle;
@@ -54,13 +54,13 @@ Owned<RsvgHandle> read_svg(const std::string& svg) {
 Owned<cairo_surface_t> drawn_picture(RsvgHandle* handle) {
   gdouble width = 0;
   gdouble height = 0;
-  rsvg_handle_get_intrinsic_size_in_pixels(handle, &width, &height);
+  rsvg().handle_get_intrinsic_size_in_pixels(handle, &width, &height);
   Owned<cairo_surface_t> surface(
-      cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width), static_cast<int>(height)));
-  const Owned<cairo_t> context(cairo_create(surface.get()));
+      rsvg().image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width), static_cast<int>(height)));
+  const Owned<cairo_t> context(rsvg().context_create(surface.get()));
   const RsvgRectangle whole{0, 0, width, height};
   GError* error = nullptr;
-  if (!rsvg_handle_render_document(handle, context.get(), &whole, &error))
+  if (!rsvg().handle_render_document(handle, context.get(), &whole, &error))
     fail(error);
   return surface;
 }
@@ -75,7 +75,7 @@ void write_png(const fs::path& path, const std::string& svg) {
   const auto handle = read_svg(svg);
   const auto surface = drawn_picture(handle.get());
   errno = 0;
-  if (cairo_surface_write_to_png(surface.get(), path.c_str()) != CAIRO_STATUS_SUCCESS)
+  if (rsvg().surface_write_to_png(surface.get(), path.c_str()) != CAIRO_STATUS_SUCCESS)
     throw WriteError(path, errno);
 }
 

@@ -4,6 +4,7 @@
 #include "rubato/core/error.hpp"
 #include "rubato/core/writing.hpp"
 #include "rubato/mesh/io/med_file.hpp"
+#include "rubato/mesh/io/med_library.hpp"
 #include "rubato/mesh/io/med_numbering.hpp"
 #include "rubato/results/med_gauss.hpp"
 
@@ -55,8 +56,9 @@ void check_field(const NodalField& field, std::int64_t nodes) {
 std::int64_t node_count(const med::File& file, const std::string& mesh_name) {
   med_bool changed = MED_FALSE;
   med_bool moved = MED_FALSE;
-  const auto count = MEDmeshnEntity(file.id(), mesh_name.c_str(), MED_NO_DT, MED_NO_IT, MED_NODE, MED_NONE,
-                                    MED_COORDINATE, MED_NO_CMODE, &changed, &moved);
+  const auto count =
+      med::library().mesh_entity_count(file.id(), mesh_name.c_str(), MED_NO_DT, MED_NO_IT, MED_NODE, MED_NONE,
+                                       MED_COORDINATE, MED_NO_CMODE, &changed, &moved);
   if (count <= 0)
     file.refuse(fmt::format("holds no mesh '{}' for the fields", mesh_name));
   return count;
@@ -64,8 +66,9 @@ std::int64_t node_count(const med::File& file, const std::string& mesh_name) {
 
 template <class Field> bool is_declared(const med::File& file, const Field& field) {
   med_bool there = MED_FALSE;
-  file.check(MEDfileObjectExist(file.id(), MED_FIELD, field.name.c_str(), &there), "a field");
-  if (there == MED_TRUE && MEDfieldnComponentByName(file.id(), field.name.c_str()) != field.components)
+  file.check(med::library().file_object_exist(file.id(), MED_FIELD, field.name.c_str(), &there), "a field");
+  if (there == MED_TRUE &&
+      med::library().field_component_count_by_name(file.id(), field.name.c_str()) != field.components)
     throw std::invalid_argument(fmt::format("field '{}' has {} components, other than in '{}'", field.name,
                                             field.components, file.path().string()));
   return there == MED_TRUE;
@@ -85,30 +88,31 @@ void declare(const med::File& file, const std::string& mesh_name, const Field& f
   const auto names = med::joined_texts(component_names(field), med::short_name_size);
   const Components units(static_cast<std::size_t>(field.components), unit_of(field));
   const auto time = med::joined_texts({time_unit.empty() ? " " : time_unit}, med::short_name_size);
-  file.check(MEDfieldCr(file.id(), field.name.c_str(), MED_FLOAT64, field.components, names.c_str(),
-                        med::joined_texts(units, med::short_name_size).c_str(), time.c_str(),
-                        mesh_name.c_str()),
+  file.check(med::library().field_create(
+                 file.id(), field.name.c_str(), MED_FLOAT64, field.components, names.c_str(),
+                 med::joined_texts(units, med::short_name_size).c_str(), time.c_str(), mesh_name.c_str()),
              "a field");
 }
 
 void append(const med::File& file, const Instant& instant, const NodalField& field, std::int64_t nodes) {
   const auto* const bytes = reinterpret_cast<const unsigned char*>(field.values.data());
-  file.check(MEDfieldValueWr(file.id(), field.name.c_str(), instant.number, MED_NO_IT, instant.time, MED_NODE,
-                             MED_NONE, MED_FULL_INTERLACE, MED_ALL_CONSTITUENT, static_cast<med_int>(nodes),
-                             bytes),
+  file.check(med::library().field_value_write(file.id(), field.name.c_str(), instant.number, MED_NO_IT,
+                                              instant.time, MED_NODE, MED_NONE, MED_FULL_INTERLACE,
+                                              MED_ALL_CONSTITUENT, static_cast<med_int>(nodes), bytes),
              "the values of a field");
 }
 
 void write_localisation(const med::File& file, const MedGauss& gauss, CellType type) {
   med_bool there = MED_FALSE;
-  file.check(MEDfileObjectExist(file.id(), MED_LOCALIZATION, gauss.name.c_str(), &there), "a localisation");
+  file.check(med::library().file_object_exist(file.id(), MED_LOCALIZATION, gauss.name.c_str(), &there),
+             "a localisation");
   if (there == MED_TRUE)
     return;
-  file.check(MEDlocalizationWr(file.id(), gauss.name.c_str(),
-                               static_cast<med_geometry_type>(med::geometry_of(type)), gauss.dimension,
-                               gauss.nodes.data(), MED_FULL_INTERLACE,
-                               static_cast<med_int>(gauss.weights.size()), gauss.points.data(),
-                               gauss.weights.data(), MED_NO_INTERPOLATION, MED_NO_MESH_SUPPORT),
+  file.check(med::library().localization_write(
+                 file.id(), gauss.name.c_str(), static_cast<med_geometry_type>(med::geometry_of(type)),
+                 gauss.dimension, gauss.nodes.data(), MED_FULL_INTERLACE,
+                 static_cast<med_int>(gauss.weights.size()), gauss.points.data(), gauss.weights.data(),
+                 MED_NO_INTERPOLATION, MED_NO_MESH_SUPPORT),
              "a localisation");
 }
 
@@ -136,12 +140,12 @@ void append_part(const med::File& file, const Instant& instant, const CellField&
     localisation = gauss.name;
   }
   const auto cells = values.size() / static_cast<std::size_t>(field.components * part.places);
-  file.check(MEDfieldValueWithProfileWr(file.id(), field.name.c_str(), instant.number, MED_NO_IT,
-                                        instant.time, at_nodes ? MED_NODE_ELEMENT : MED_CELL,
-                                        static_cast<med_geometry_type>(med::geometry_of(part.type)),
-                                        MED_COMPACT_STMODE, MED_NO_PROFILE, localisation.c_str(),
-                                        MED_FULL_INTERLACE, MED_ALL_CONSTITUENT, static_cast<med_int>(cells),
-                                        reinterpret_cast<const unsigned char*>(values.data())),
+  file.check(med::library().field_value_with_profile_write(
+                 file.id(), field.name.c_str(), instant.number, MED_NO_IT, instant.time,
+                 at_nodes ? MED_NODE_ELEMENT : MED_CELL,
+                 static_cast<med_geometry_type>(med::geometry_of(part.type)), MED_COMPACT_STMODE,
+                 MED_NO_PROFILE, localisation.c_str(), MED_FULL_INTERLACE, MED_ALL_CONSTITUENT,
+                 static_cast<med_int>(cells), reinterpret_cast<const unsigned char*>(values.data())),
              "the values of a field");
 }
 

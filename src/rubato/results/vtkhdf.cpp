@@ -4,6 +4,7 @@
 #include "rubato/core/error.hpp"
 #include "rubato/core/writing.hpp"
 #include "rubato/results/hdf5_handle.hpp"
+#include "rubato/results/hdf5_library.hpp"
 #include "rubato/results/vtk_arrays.hpp"
 
 #include <fmt/format.h>
@@ -24,17 +25,17 @@ constexpr std::string_view root = "VTKHDF";
 
 template <class T> hid_t hdf5_type() {
   if constexpr (std::is_same_v<T, double>)
-    return H5T_NATIVE_DOUBLE;
+    return *hdf5().native_double;
   else if constexpr (std::is_same_v<T, std::int64_t>)
-    return H5T_NATIVE_INT64;
+    return *hdf5().native_int64;
   else
-    return H5T_NATIVE_UINT8;
+    return *hdf5().native_uint8;
 }
 
 /// An open file with datasets that grow by rows.
 class VtkHdfFile {
 public:
-  VtkHdfFile(const fs::path& path, hid_t id) : path_(path), file_(id, H5Fclose) {
+  VtkHdfFile(const fs::path& path, hid_t id) : path_(path), file_(id, hdf5().file_close) {
     if (!file_.good())
       throw InputError(fmt::format(
           "file '{}' cannot be written: is there such a folder, and may you write into it?", path.string()));
@@ -46,17 +47,20 @@ public:
   void put_rows(const std::string& name, std::size_t columns, hsize_t start, std::span<const T> values) {
     const hsize_t rows = values.size() / columns;
     const Hdf5Handle dataset(opened(fmt::format("{}/{}", root, name), columns, hdf5_type<T>(), rows),
-                             H5Dclose);
+                             hdf5().dataset_close);
     const std::array<hsize_t, 2> extent{start + rows, columns};
-    check(H5Dset_extent(dataset.id(), extent.data()));
+    check(hdf5().dataset_set_extent(dataset.id(), extent.data()));
     if (values.empty())
       return;
     const std::array<hsize_t, 2> first{start, 0};
     const std::array<hsize_t, 2> count{rows, columns};
-    const Hdf5Handle space(H5Dget_space(dataset.id()), H5Sclose);
-    check(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr));
-    const Hdf5Handle memory(H5Screate_simple(columns == 1 ? 1 : 2, count.data(), nullptr), H5Sclose);
-    check(H5Dwrite(dataset.id(), hdf5_type<T>(), memory.id(), space.id(), H5P_DEFAULT, values.data()));
+    const Hdf5Handle space(hdf5().dataset_get_space(dataset.id()), hdf5().space_close);
+    check(hdf5().space_select_hyperslab(space.id(), H5S_SELECT_SET, first.data(), nullptr, count.data(),
+                                        nullptr));
+    const Hdf5Handle memory(hdf5().space_create_simple(columns == 1 ? 1 : 2, count.data(), nullptr),
+                            hdf5().space_close);
+    check(hdf5().dataset_write(dataset.id(), hdf5_type<T>(), memory.id(), space.id(), H5P_DEFAULT,
+                               values.data()));
   }
 
   template <class T> void put_row(const std::string& name, hsize_t start, T value) {
@@ -64,35 +68,38 @@ public:
   }
 
   void make_group(const std::string& name) {
-    const Hdf5Handle group(H5Gcreate2(file_.id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                           H5Gclose);
+    const Hdf5Handle group(
+        hdf5().group_create(file_.id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+        hdf5().group_close);
     check(group.good() ? 0 : -1);
   }
 
   void put(const std::string& object, const char* attribute, std::string_view text) {
-    const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-    H5Tset_size(type.id(), text.size());
-    H5Tset_strpad(type.id(), H5T_STR_NULLPAD);
-    const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+    const Hdf5Handle type(hdf5().type_copy(*hdf5().c_string), hdf5().type_close);
+    hdf5().type_set_size(type.id(), text.size());
+    hdf5().type_set_strpad(type.id(), H5T_STR_NULLPAD);
+    const Hdf5Handle space(hdf5().space_create(H5S_SCALAR), hdf5().space_close);
     put(object, attribute, type.id(), space.id(), text.data());
   }
 
   void put(const std::string& object, const char* attribute, std::span<const std::int64_t> values) {
     const hsize_t count = values.size();
-    const Hdf5Handle space(values.size() == 1 ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &count, nullptr),
-                           H5Sclose);
-    put(object, attribute, H5T_NATIVE_INT64, space.id(), values.data());
+    const Hdf5Handle space(values.size() == 1 ? hdf5().space_create(H5S_SCALAR)
+                                              : hdf5().space_create_simple(1, &count, nullptr),
+                           hdf5().space_close);
+    put(object, attribute, *hdf5().native_int64, space.id(), values.data());
   }
 
   std::int64_t number(const std::string& object, const char* attribute) const {
-    const Hdf5Handle found(H5Aopen_by_name(file_.id(), object.c_str(), attribute, H5P_DEFAULT, H5P_DEFAULT),
-                           H5Aclose);
+    const Hdf5Handle found(
+        hdf5().attribute_open_by_name(file_.id(), object.c_str(), attribute, H5P_DEFAULT, H5P_DEFAULT),
+        hdf5().attribute_close);
     std::int64_t value = 0;
-    check(found.good() ? H5Aread(found.id(), H5T_NATIVE_INT64, &value) : -1);
+    check(found.good() ? hdf5().attribute_read(found.id(), *hdf5().native_int64, &value) : -1);
     return value;
   }
 
-  void flush() { check(H5Fflush(file_.id(), H5F_SCOPE_GLOBAL)); }
+  void flush() { check(hdf5().file_flush(file_.id(), H5F_SCOPE_GLOBAL)); }
 
 private:
   void check(herr_t result) const {
@@ -101,32 +108,33 @@ private:
   }
 
   void put(const std::string& object, const char* attribute, hid_t type, hid_t space, const void* value) {
-    if (H5Aexists_by_name(file_.id(), object.c_str(), attribute, H5P_DEFAULT) > 0)
-      check(H5Adelete_by_name(file_.id(), object.c_str(), attribute, H5P_DEFAULT));
-    const Hdf5Handle made(H5Acreate_by_name(file_.id(), object.c_str(), attribute, type, space, H5P_DEFAULT,
-                                            H5P_DEFAULT, H5P_DEFAULT),
-                          H5Aclose);
-    check(made.good() ? H5Awrite(made.id(), type, value) : -1);
+    if (hdf5().attribute_exists_by_name(file_.id(), object.c_str(), attribute, H5P_DEFAULT) > 0)
+      check(hdf5().attribute_delete_by_name(file_.id(), object.c_str(), attribute, H5P_DEFAULT));
+    const Hdf5Handle made(hdf5().attribute_create_by_name(file_.id(), object.c_str(), attribute, type, space,
+                                                          H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                          hdf5().attribute_close);
+    check(made.good() ? hdf5().attribute_write(made.id(), type, value) : -1);
   }
 
   /// Chunks of one instant, compressed byte by byte of the numbers (shuffle), which suits numbers best.
   hid_t opened(const std::string& name, std::size_t columns, hid_t type, hsize_t rows) {
-    if (H5Lexists(file_.id(), name.c_str(), H5P_DEFAULT) > 0)
-      return H5Dopen2(file_.id(), name.c_str(), H5P_DEFAULT);
+    if (hdf5().link_exists(file_.id(), name.c_str(), H5P_DEFAULT) > 0)
+      return hdf5().dataset_open(file_.id(), name.c_str(), H5P_DEFAULT);
     constexpr hsize_t most_rows = 1U << 15;
     constexpr hsize_t least_rows = 64; // of what gets one number an instant
     constexpr unsigned fastest = 1;
     const std::array<hsize_t, 2> empty{0, columns};
     const std::array<hsize_t, 2> limit{H5S_UNLIMITED, columns};
     const std::array<hsize_t, 2> chunk{std::clamp(rows, least_rows, most_rows), columns};
-    const Hdf5Handle space(H5Screate_simple(columns == 1 ? 1 : 2, empty.data(), limit.data()), H5Sclose);
-    const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-    H5Pset_chunk(creation.id(), columns == 1 ? 1 : 2, chunk.data());
-    H5Pset_shuffle(creation.id());
-    H5Pset_deflate(creation.id(), fastest);
-    H5Pset_obj_track_times(creation.id(), false); // the same content, the same bytes
-    const auto made =
-        H5Dcreate2(file_.id(), name.c_str(), type, space.id(), H5P_DEFAULT, creation.id(), H5P_DEFAULT);
+    const Hdf5Handle space(hdf5().space_create_simple(columns == 1 ? 1 : 2, empty.data(), limit.data()),
+                           hdf5().space_close);
+    const Hdf5Handle creation(hdf5().properties_create(*hdf5().dataset_creation), hdf5().properties_close);
+    hdf5().properties_set_chunk(creation.id(), columns == 1 ? 1 : 2, chunk.data());
+    hdf5().properties_set_shuffle(creation.id());
+    hdf5().properties_set_deflate(creation.id(), fastest);
+    hdf5().properties_set_obj_track_times(creation.id(), false); // the same content, the same bytes
+    const auto made = hdf5().dataset_create(file_.id(), name.c_str(), type, space.id(), H5P_DEFAULT,
+                                            creation.id(), H5P_DEFAULT);
     check(made < 0 ? -1 : 0);
     return made;
   }
@@ -136,13 +144,13 @@ private:
 };
 
 hid_t created(const fs::path& path) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // what goes wrong is told by exceptions
-  return H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  hdf5().error_set_auto(H5E_DEFAULT, nullptr, nullptr); // what goes wrong is told by exceptions
+  return hdf5().file_create(path.c_str(), Hdf5Access::truncate, H5P_DEFAULT, H5P_DEFAULT);
 }
 
 hid_t reopened(const fs::path& path) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  return H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  hdf5().error_set_auto(H5E_DEFAULT, nullptr, nullptr);
+  return hdf5().file_open(path.c_str(), Hdf5Access::read_and_write, H5P_DEFAULT);
 }
 
 template <class T> std::span<const T> seen(const std::vector<T>& values) {
@@ -255,8 +263,8 @@ void append_vtkhdf(const fs::path& path, const mesh::Mesh& mesh, VtkHdfInstant i
 }
 
 std::int64_t instants_in_vtkhdf(const fs::path& path) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  return VtkHdfFile(path, H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT))
+  hdf5().error_set_auto(H5E_DEFAULT, nullptr, nullptr);
+  return VtkHdfFile(path, hdf5().file_open(path.c_str(), Hdf5Access::read, H5P_DEFAULT))
       .number(fmt::format("{}/Steps", root), "NSteps");
 }
 

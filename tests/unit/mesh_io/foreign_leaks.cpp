@@ -5,7 +5,7 @@
 extern "C" const char* __lsan_default_suppressions(); // NOLINT(bugprone-reserved-identifier)
 
 extern "C" const char* __lsan_default_suppressions() { // NOLINT(bugprone-reserved-identifier)
-  return "leak:libhdf5\nleak:libgmsh\n";
+  return "leak:hdf5\nleak:libgmsh\n";
 }
 
 extern "C" const char* __asan_default_options(); // NOLINT(bugprone-reserved-identifier)

@@ -2,6 +2,7 @@
 #include "rubato/linalg/petsc/session.hpp"
 
 #include <cstdlib>
+#include <dlfcn.h>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -18,11 +19,20 @@ void stay_alone() {
   setenv("OMPI_MCA_ess_singleton_isolated", "1", keep_what_is_there);
 }
 
+/// Makes the symbols of MPI global. Plugins of Open MPI use them without being linked with its library, and
+/// this module is loaded with local symbols.
+void share_symbols_of_mpi() {
+  Dl_info library{};
+  if (dladdr(reinterpret_cast<const void*>(&MPI_Init), &library) != 0)
+    dlopen(library.dli_fname, RTLD_LAZY | RTLD_NOLOAD | RTLD_GLOBAL);
+}
+
 /// Signals belong to the program, and nothing outside a deck changes its numbers. Errors come back as codes.
 class Session {
 public:
   Session() {
     stay_alone();
+    share_symbols_of_mpi();
     check(PetscOptionsSetValue(nullptr, "-no_signal_handler", nullptr));
     check(PetscOptionsSetValue(nullptr, "-skip_petscrc", nullptr));
     check(PetscInitializeNoArguments());

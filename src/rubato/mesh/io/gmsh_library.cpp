@@ -1,65 +1,35 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/mesh/io/gmsh_library.hpp"
 
-#include "rubato/core/error.hpp"
+#include "rubato/core/dynamic_library.hpp"
 
 #include <fmt/format.h>
 #include <gmshc.h>
 
-#include <dlfcn.h>
 #include <stdexcept>
 #include <string_view>
 #include <type_traits>
-#include <utility>
 
 namespace rubato::mesh::gmsh {
 
 struct Calls {
-  decltype(&gmshInitialize) initialize;
-  decltype(&gmshFinalize) finalize;
-  decltype(&gmshFree) free;
-  decltype(&gmshOptionSetNumber) set_option;
-  decltype(&gmshLoggerStart) start_log;
-  decltype(&gmshLoggerStop) stop_log;
-  decltype(&gmshLoggerGet) log;
-  decltype(&gmshLoggerGetLastError) last_error;
-  decltype(&gmshOpen) open;
-  decltype(&gmshModelMeshGenerate) generate;
-  decltype(&gmshModelGetDimension) dimension;
-  decltype(&gmshModelMeshGetElementTypes) types;
-  decltype(&gmshWrite) write;
+  DynamicLibrary library;
+  decltype(&gmshInitialize) initialize = library.symbol("gmshInitialize");
+  decltype(&gmshFinalize) finalize = library.symbol("gmshFinalize");
+  decltype(&gmshFree) free = library.symbol("gmshFree");
+  decltype(&gmshOptionSetNumber) set_option = library.symbol("gmshOptionSetNumber");
+  decltype(&gmshLoggerStart) start_log = library.symbol("gmshLoggerStart");
+  decltype(&gmshLoggerStop) stop_log = library.symbol("gmshLoggerStop");
+  decltype(&gmshLoggerGet) log = library.symbol("gmshLoggerGet");
+  decltype(&gmshLoggerGetLastError) last_error = library.symbol("gmshLoggerGetLastError");
+  decltype(&gmshOpen) open = library.symbol("gmshOpen");
+  decltype(&gmshModelMeshGenerate) generate = library.symbol("gmshModelMeshGenerate");
+  decltype(&gmshModelGetDimension) dimension = library.symbol("gmshModelGetDimension");
+  decltype(&gmshModelMeshGetElementTypes) types = library.symbol("gmshModelMeshGetElementTypes");
+  decltype(&gmshWrite) write = library.symbol("gmshWrite");
 };
 
 namespace {
-
-[[noreturn]] void refuse_library() {
-  throw InputError(
-      fmt::format("its library cannot be loaded ({}); install it or convert the mesh to MED", dlerror()));
-}
-
-template <class Function> void find(void* library, const char* name, Function*& function) {
-  function = reinterpret_cast<Function*>(dlsym(library, name));
-  if (function == nullptr)
-    refuse_library();
-}
-
-Calls calls_of(void* library) {
-  Calls calls{};
-  find(library, "gmshInitialize", calls.initialize);
-  find(library, "gmshFinalize", calls.finalize);
-  find(library, "gmshFree", calls.free);
-  find(library, "gmshOptionSetNumber", calls.set_option);
-  find(library, "gmshLoggerStart", calls.start_log);
-  find(library, "gmshLoggerStop", calls.stop_log);
-  find(library, "gmshLoggerGet", calls.log);
-  find(library, "gmshLoggerGetLastError", calls.last_error);
-  find(library, "gmshOpen", calls.open);
-  find(library, "gmshModelMeshGenerate", calls.generate);
-  find(library, "gmshModelGetDimension", calls.dimension);
-  find(library, "gmshModelMeshGetElementTypes", calls.types);
-  find(library, "gmshWrite", calls.write);
-  return calls;
-}
 
 /// What Gmsh hands out, with its size; given back when it goes.
 template <class T> struct Handed {
@@ -120,13 +90,10 @@ template <class Initialize> void initialize(const Calls& calls, Initialize* call
 } // namespace
 
 const Calls& library() {
-  // Never unloaded: libraries it brings keep what cannot be taken down before the program's end.
-  static const Calls calls = [] {
-    void* handle = dlopen(RUBATO_GMSH_LIBRARY, RTLD_LAZY | RTLD_LOCAL);
-    if (handle == nullptr)
-      refuse_library();
-    return calls_of(handle);
-  }();
+  static const Calls calls{DynamicLibrary({.soname = RUBATO_GMSH_LIBRARY,
+                                           .package = RUBATO_GMSH_PACKAGE,
+                                           .users = "geometries",
+                                           .otherwise = " or convert the mesh to MED"})};
   return calls;
 }
 

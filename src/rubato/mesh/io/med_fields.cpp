@@ -3,6 +3,7 @@
 
 #include "rubato/core/naming.hpp"
 #include "rubato/mesh/io/med_file.hpp"
+#include "rubato/mesh/io/med_library.hpp"
 
 #include <fmt/format.h>
 #include <med.h>
@@ -21,13 +22,14 @@ struct Description {
 /// Whether its first instant has some.
 bool has_values_at_nodes(const med::File& file, const MedField& field) {
   const auto& first = field.instants.front();
-  return MEDfieldnProfile(file.id(), field.name.c_str(), first.number, first.iteration, MED_NODE, MED_NONE,
-                          med::text_buffer(1, med::name_size).data(),
-                          med::text_buffer(1, med::name_size).data()) > 0;
+  return med::library().field_profile_count(file.id(), field.name.c_str(), first.number, first.iteration,
+                                            MED_NODE, MED_NONE, med::text_buffer(1, med::name_size).data(),
+                                            med::text_buffer(1, med::name_size).data()) > 0;
 }
 
 Description description_of(const med::File& file, int index) {
-  const auto components = file.plausible(MEDfieldnComponent(file.id(), index), "components of a field");
+  const auto components =
+      file.plausible(med::library().field_component_count(file.id(), index), "components of a field");
   auto name = med::text_buffer(1, med::name_size);
   auto mesh_name = name;
   auto names = med::text_buffer(components, med::short_name_size);
@@ -36,8 +38,8 @@ Description description_of(const med::File& file, int index) {
   med_bool local = MED_FALSE;
   med_int steps = 0;
   Description found;
-  file.check(MEDfieldInfo(file.id(), index, name.data(), mesh_name.data(), &local, &found.type, names.data(),
-                          units.data(), time_unit.data(), &steps),
+  file.check(med::library().field_info(file.id(), index, name.data(), mesh_name.data(), &local, &found.type,
+                                       names.data(), units.data(), time_unit.data(), &steps),
              "description of a field");
   found.field.name = med::text_at(name, 0, med::name_size);
   found.field.mesh_name = med::text_at(mesh_name, 0, med::name_size);
@@ -49,9 +51,9 @@ Description description_of(const med::File& file, int index) {
     med_int number = 0;
     med_int iteration = 0;
     med_float time = 0.0;
-    file.check(
-        MEDfieldComputingStepInfo(file.id(), found.field.name.c_str(), step, &number, &iteration, &time),
-        "instants of a field");
+    file.check(med::library().field_computing_step_info(file.id(), found.field.name.c_str(), step, &number,
+                                                        &iteration, &time),
+               "instants of a field");
     found.field.instants.push_back({number, time, iteration});
   }
   found.field.at_nodes = found.field.instants.empty() || has_values_at_nodes(file, found.field);
@@ -59,7 +61,7 @@ Description description_of(const med::File& file, int index) {
 }
 
 std::vector<MedField> fields_of(const med::File& file) {
-  const auto count = MEDnField(file.id());
+  const auto count = med::library().field_count(file.id());
   file.check(count, "list of fields");
   std::vector<MedField> fields;
   for (int index = 1; index <= count; ++index)
@@ -85,12 +87,14 @@ std::size_t nodes_of(const med::File& file, const std::string& mesh_name) {
   med_int step = 0;
   med_int iteration = 0;
   med_float time = 0;
-  file.check(MEDmeshComputationStepInfo(file.id(), mesh_name.c_str(), 1, &step, &iteration, &time),
-             "mesh of a field");
+  file.check(
+      med::library().mesh_computation_step_info(file.id(), mesh_name.c_str(), 1, &step, &iteration, &time),
+      "mesh of a field");
   med_bool changed = MED_FALSE;
   med_bool moved = MED_FALSE;
-  return file.plausible(MEDmeshnEntity(file.id(), mesh_name.c_str(), step, iteration, MED_NODE,
-                                       MED_NO_GEOTYPE, MED_COORDINATE, MED_NO_CMODE, &changed, &moved),
+  return file.plausible(med::library().mesh_entity_count(file.id(), mesh_name.c_str(), step, iteration,
+                                                         MED_NODE, MED_NO_GEOTYPE, MED_COORDINATE,
+                                                         MED_NO_CMODE, &changed, &moved),
                         "nodes");
 }
 
@@ -103,9 +107,10 @@ std::vector<std::size_t> nodes_of_profile(const med::File& file, const std::stri
       nodes.push_back(i);
     return nodes;
   }
-  const auto size = file.plausible(MEDprofileSizeByName(file.id(), profile.c_str()), "nodes of a profile");
+  const auto size =
+      file.plausible(med::library().profile_size_by_name(file.id(), profile.c_str()), "nodes of a profile");
   std::vector<med_int> numbers(size);
-  file.check(MEDprofileRd(file.id(), profile.c_str(), numbers.data()), "nodes of a profile");
+  file.check(med::library().profile_read(file.id(), profile.c_str(), numbers.data()), "nodes of a profile");
   for (const auto number : numbers) {
     if (number < 1 || static_cast<std::size_t>(number) > count)
       file.refuse(fmt::format("is damaged: a profile names node {} of {}", number, count));
@@ -121,7 +126,7 @@ void read_profile(const med::File& file, const MedField& field, const MedInstant
   auto localisation = name;
   med_int size = 0;
   med_int points = 0;
-  const auto found = MEDfieldnValueWithProfile(
+  const auto found = med::library().field_value_count_with_profile(
       file.id(), field.name.c_str(), instant.number, instant.iteration, MED_NODE, MED_NONE, profile,
       MED_COMPACT_STMODE, name.data(), &size, localisation.data(), &points);
   const auto components = field.component_names.size();
@@ -130,10 +135,10 @@ void read_profile(const med::File& file, const MedField& field, const MedInstant
   if (file.plausible(found, "values") != nodes.size())
     file.refuse(fmt::format("is damaged: '{}' has {} values at {} nodes", field.name, found, nodes.size()));
   std::vector<double> some(nodes.size() * components);
-  file.check(MEDfieldValueWithProfileRd(file.id(), field.name.c_str(), instant.number, instant.iteration,
-                                        MED_NODE, MED_NONE, MED_COMPACT_STMODE, name.c_str(),
-                                        MED_FULL_INTERLACE, MED_ALL_CONSTITUENT,
-                                        reinterpret_cast<unsigned char*>(some.data())),
+  file.check(med::library().field_value_with_profile_read(
+                 file.id(), field.name.c_str(), instant.number, instant.iteration, MED_NODE, MED_NONE,
+                 MED_COMPACT_STMODE, name.c_str(), MED_FULL_INTERLACE, MED_ALL_CONSTITUENT,
+                 reinterpret_cast<unsigned char*>(some.data())),
              "values of a field");
   for (std::size_t i = 0; i < some.size(); ++i)
     values[nodes[i / components] * components + i % components] = some[i];
@@ -145,9 +150,10 @@ std::vector<double> values_of(const med::File& file, const std::string& name, in
   const auto instant = std::ranges::find(field.instants, number, &MedInstant::number);
   auto text = med::text_buffer(1, med::name_size);
   auto localisation = text;
-  const auto profiles = instant == field.instants.end()
-                            ? 0
-                            : MEDfieldnProfile(file.id(), name.c_str(), number, instant->iteration, MED_NODE,
+  const auto profiles =
+      instant == field.instants.end()
+          ? 0
+          : med::library().field_profile_count(file.id(), name.c_str(), number, instant->iteration, MED_NODE,
                                                MED_NONE, text.data(), localisation.data());
   if (profiles <= 0)
     file.refuse(fmt::format("holds no values of '{}' at the nodes for instant {}", name, number));

@@ -3,6 +3,7 @@
 
 #include "rubato/core/error.hpp"
 #include "rubato/core/writing.hpp"
+#include "rubato/mesh/io/med_library.hpp"
 
 #include <fmt/format.h>
 #include <med.h>
@@ -92,7 +93,7 @@ std::string version_fault(med_idt id, const std::filesystem::path& path) {
   med_int major = 0;
   med_int minor = 0;
   med_int release = 0;
-  if (MEDfileNumVersionRd(id, &major, &minor, &release) < 0)
+  if (library().file_num_version_read(id, &major, &minor, &release) < 0)
     return "is an HDF5 file but not a MED file: it has no MED version";
   if (std::tuple(major, minor) > std::tuple(MED_MAJOR_NUM, MED_MINOR_NUM))
     return fmt::format("is of MED version {}.{}.{}, newer than {}.{}, the newest this program reads", major,
@@ -144,7 +145,7 @@ namespace {
 void close_library_silently_at_exit() {
   static const int registered = std::atexit([] {
     const Silence silence;
-    MEDlibraryClose();
+    library().library_close();
   });
   static_cast<void>(registered);
 }
@@ -154,14 +155,14 @@ void close_library_silently_at_exit() {
 Handle::~Handle() {
   if (id < 0)
     return;
-  MEDfileClose(id);
+  library().file_close(id);
   close_library_silently_at_exit();
 }
 
 File::File(const std::filesystem::path& path, Access access, const std::filesystem::path& called)
     : path_(called.empty() ? path : called), access_(access) {
   if (access == Access::create)
-    handle_.id = MEDfileOpen(path.c_str(), mode_of(access));
+    handle_.id = library().file_open(path.c_str(), mode_of(access));
   else
     open_checked();
   if (handle_.id < 0)
@@ -171,7 +172,7 @@ File::File(const std::filesystem::path& path, Access access, const std::filesyst
 void File::close() {
   const auto id = std::exchange(handle_.id, -1);
   close_library_silently_at_exit();
-  if (MEDfileClose(id) < 0)
+  if (library().file_close(id) < 0)
     throw WriteError(path_);
 }
 
@@ -179,7 +180,7 @@ void File::open_checked() {
   if (const auto fault = fault_of(path_); !fault.empty())
     refuse(fault);
   size_ = std::filesystem::file_size(path_);
-  handle_.id = MEDfileOpen(path_.c_str(), mode_of(access_));
+  handle_.id = library().file_open(path_.c_str(), mode_of(access_));
   if (handle_.id < 0)
     refuse("cannot be opened as a MED file: it is an HDF5 file without MED's version, or damaged");
   if (const auto fault = version_fault(handle_.id, path_); !fault.empty())
@@ -208,6 +209,7 @@ void File::refuse(std::string_view text) const {
 }
 
 void rehearse(const std::filesystem::path& path, const std::function<void()>& read) {
+  library(); // loaded before the fork: otherwise both processes load it
   const auto child = fork();
   if (child == 0) {
     const rlimit no_core{0, 0};

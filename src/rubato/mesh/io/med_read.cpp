@@ -3,6 +3,7 @@
 #include "rubato/core/naming.hpp"
 #include "rubato/mesh/io/med.hpp"
 #include "rubato/mesh/io/med_file.hpp"
+#include "rubato/mesh/io/med_library.hpp"
 #include "rubato/mesh/io/med_numbering.hpp"
 #include "rubato/mesh/names.hpp"
 
@@ -27,7 +28,7 @@ struct Header {
 };
 
 Header header_of(const med::File& file, int index) {
-  const auto axes = MEDmeshnAxis(file.id(), index);
+  const auto axes = med::library().mesh_axis_count(file.id(), index);
   if (axes < 1 || axes > 3)
     file.refuse(fmt::format("is damaged: its mesh number {} cannot be read", index));
   auto name = med::text_buffer(1, med::name_size);
@@ -40,9 +41,9 @@ Header header_of(const med::File& file, int index) {
   med_int steps = 0;
   med_sorting_type sorting = MED_SORT_UNDEF;
   Header header;
-  file.check(MEDmeshInfo(file.id(), index, name.data(), &space, &own, &header.type, description.data(),
-                         time_unit.data(), &sorting, &steps, &header.axes, axis_names.data(),
-                         axis_units.data()),
+  file.check(med::library().mesh_info(file.id(), index, name.data(), &space, &own, &header.type,
+                                      description.data(), time_unit.data(), &sorting, &steps, &header.axes,
+                                      axis_names.data(), axis_units.data()),
              "mesh description");
   header.name = med::text_at(name, 0, med::name_size);
   header.space_dimension = space;
@@ -51,7 +52,7 @@ Header header_of(const med::File& file, int index) {
 }
 
 std::vector<Header> headers_of(const med::File& file) {
-  const auto count = MEDnMesh(file.id());
+  const auto count = med::library().mesh_count(file.id());
   file.check(count, "list of meshes");
   std::vector<Header> headers;
   for (int index = 1; index <= count; ++index)
@@ -98,23 +99,24 @@ public:
     if (header.steps <= 0)
       file_.refuse(fmt::format("holds '{}' without nodes and cells", name_));
     med_float time = 0.0;
-    file_.check(MEDmeshComputationStepInfo(file_.id(), name_.c_str(), 1, &step_, &iteration_, &time),
-                "mesh step");
+    file_.check(
+        med::library().mesh_computation_step_info(file_.id(), name_.c_str(), 1, &step_, &iteration_, &time),
+        "mesh step");
   }
 
   std::size_t count(med_entity_type entity, med_geometry_type geometry, med_data_type data,
                     med_connectivity_mode mode, std::string_view what) const {
     med_bool changed = MED_FALSE;
     med_bool moved = MED_FALSE;
-    const auto found = MEDmeshnEntity(file_.id(), name_.c_str(), step_, iteration_, entity, geometry, data,
-                                      mode, &changed, &moved);
+    const auto found = med::library().mesh_entity_count(file_.id(), name_.c_str(), step_, iteration_, entity,
+                                                        geometry, data, mode, &changed, &moved);
     return file_.plausible(found, what);
   }
 
   std::vector<double> coordinates(std::size_t nodes, int dimension) const {
     std::vector<double> values(nodes * static_cast<std::size_t>(dimension));
-    file_.check(MEDmeshNodeCoordinateRd(file_.id(), name_.c_str(), step_, iteration_, MED_FULL_INTERLACE,
-                                        values.data()),
+    file_.check(med::library().mesh_node_coordinate_read(file_.id(), name_.c_str(), step_, iteration_,
+                                                         MED_FULL_INTERLACE, values.data()),
                 "node coordinates");
     return values;
   }
@@ -132,8 +134,9 @@ public:
 
   std::vector<med_int> connectivity(med_geometry_type geometry, std::size_t size) const {
     std::vector<med_int> nodes(size);
-    file_.check(MEDmeshElementConnectivityRd(file_.id(), name_.c_str(), step_, iteration_, MED_CELL, geometry,
-                                             MED_NODAL, MED_FULL_INTERLACE, nodes.data()),
+    file_.check(med::library().mesh_element_connectivity_read(file_.id(), name_.c_str(), step_, iteration_,
+                                                              MED_CELL, geometry, MED_NODAL,
+                                                              MED_FULL_INTERLACE, nodes.data()),
                 "connectivity");
     return nodes;
   }
@@ -144,9 +147,9 @@ public:
     if (!has(entity, geometry, MED_NUMBER, size))
       return {};
     std::vector<med_int> values(size);
-    file_.check(
-        MEDmeshEntityNumberRd(file_.id(), name_.c_str(), step_, iteration_, entity, geometry, values.data()),
-        "entity numbers");
+    file_.check(med::library().mesh_entity_number_read(file_.id(), name_.c_str(), step_, iteration_, entity,
+                                                       geometry, values.data()),
+                "entity numbers");
     return {values.begin(), values.end()};
   }
 
@@ -154,8 +157,8 @@ public:
   std::vector<med_int> families(med_entity_type entity, med_geometry_type geometry, std::size_t size) const {
     std::vector<med_int> values(size, 0);
     if (has(entity, geometry, MED_FAMILY_NUMBER, size))
-      file_.check(MEDmeshEntityFamilyNumberRd(file_.id(), name_.c_str(), step_, iteration_, entity, geometry,
-                                              values.data()),
+      file_.check(med::library().mesh_entity_family_number_read(file_.id(), name_.c_str(), step_, iteration_,
+                                                                entity, geometry, values.data()),
                   "families");
     return values;
   }
@@ -165,9 +168,9 @@ public:
     if (!has(entity, geometry, MED_NAME, size))
       return {};
     auto texts = med::text_buffer(size, med::short_name_size);
-    file_.check(
-        MEDmeshEntityNameRd(file_.id(), name_.c_str(), step_, iteration_, entity, geometry, texts.data()),
-        "entity names");
+    file_.check(med::library().mesh_entity_name_read(file_.id(), name_.c_str(), step_, iteration_, entity,
+                                                     geometry, texts.data()),
+                "entity names");
     std::vector<std::string> names(size);
     for (std::size_t i = 0; i < size; ++i)
       names[i] = med::text_at(texts, i, med::short_name_size);
@@ -176,7 +179,7 @@ public:
 
 private:
   static std::string name_of(med_geometry_type geometry, const std::string& in_file) {
-    const char* name = MEDgetGeometryTypeName(geometry);
+    const char* name = med::library().get_geometry_type_name(geometry);
     return name != nullptr ? name : in_file;
   }
 
@@ -187,8 +190,9 @@ private:
     auto type_name = med::text_buffer(1, med::name_size);
     for (std::size_t i = 0; i < kinds; ++i) {
       med_geometry_type geometry = MED_UNDEF_GEOTYPE;
-      const auto result = MEDmeshEntityInfo(file_.id(), name_.c_str(), step_, iteration_, MED_CELL,
-                                            static_cast<int>(i) + 1, type_name.data(), &geometry);
+      const auto result =
+          med::library().mesh_entity_info(file_.id(), name_.c_str(), step_, iteration_, MED_CELL,
+                                          static_cast<int>(i) + 1, type_name.data(), &geometry);
       if (result >= 0 && !med::type_of_geometry(geometry))
         file_.refuse(fmt::format("holds cells of type {}, which this program does not know",
                                  name_of(geometry, med::text_at(type_name, 0, med::name_size))));
@@ -202,8 +206,8 @@ private:
            std::size_t expected) const {
     med_bool changed = MED_FALSE;
     med_bool moved = MED_FALSE;
-    const auto found = MEDmeshnEntity(file_.id(), name_.c_str(), step_, iteration_, entity, geometry, data,
-                                      MED_NO_CMODE, &changed, &moved);
+    const auto found = med::library().mesh_entity_count(file_.id(), name_.c_str(), step_, iteration_, entity,
+                                                        geometry, data, MED_NO_CMODE, &changed, &moved);
     if (found > 0 && static_cast<std::size_t>(found) != expected)
       file_.refuse(fmt::format("is damaged: it has {} entities but numbers {} of them", expected, found));
     return found > 0;
@@ -299,14 +303,16 @@ using FamilyGroups = std::map<med_int, std::set<std::string>>;
 
 FamilyGroups read_families(const med::File& file, const std::string& mesh_name) {
   FamilyGroups families;
-  const auto count = MEDnFamily(file.id(), mesh_name.c_str());
+  const auto count = med::library().family_count(file.id(), mesh_name.c_str());
   file.check(count, "families");
   for (int index = 1; index <= count; ++index) {
-    const auto groups = file.plausible(MEDnFamilyGroup(file.id(), mesh_name.c_str(), index), "groups");
+    const auto groups =
+        file.plausible(med::library().family_group_count(file.id(), mesh_name.c_str(), index), "groups");
     auto names = med::text_buffer(groups, med::group_name_size);
     auto family_name = med::text_buffer(1, med::name_size);
     med_int number = 0;
-    file.check(MEDfamilyInfo(file.id(), mesh_name.c_str(), index, family_name.data(), &number, names.data()),
+    file.check(med::library().family_info(file.id(), mesh_name.c_str(), index, family_name.data(), &number,
+                                          names.data()),
                "families");
     for (std::size_t group = 0; group < groups; ++group)
       families[number].insert(med::text_at(names, group, med::group_name_size));

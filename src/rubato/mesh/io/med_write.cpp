@@ -3,6 +3,7 @@
 #include "rubato/core/writing.hpp"
 #include "rubato/mesh/io/med.hpp"
 #include "rubato/mesh/io/med_file.hpp"
+#include "rubato/mesh/io/med_library.hpp"
 #include "rubato/mesh/io/med_numbering.hpp"
 
 #include <fmt/format.h>
@@ -55,9 +56,9 @@ void write_families(const med::File& file, const std::string& mesh, const std::v
     for (const auto group : set)
       names.push_back(groups[group].name);
     const auto family = fmt::format("FAM_{}_{}", number, names.front()).substr(0, med::name_size);
-    file.check(MEDfamilyCr(file.id(), mesh.c_str(), family.c_str(), number,
-                           static_cast<med_int>(names.size()),
-                           med::joined_texts(names, med::group_name_size).c_str()),
+    file.check(med::library().family_create(file.id(), mesh.c_str(), family.c_str(), number,
+                                            static_cast<med_int>(names.size()),
+                                            med::joined_texts(names, med::group_name_size).c_str()),
                "a family");
   }
 }
@@ -71,10 +72,12 @@ void write_header(const med::File& file, const std::string& name, const Mesh& me
   for (const auto& block : mesh.blocks)
     own_dimension = std::max(own_dimension, cell::topology(block.type).dimension);
   const std::string no_units(axes.size(), ' ');
-  file.check(MEDmeshCr(file.id(), name.c_str(), mesh.dimension, own_dimension, MED_UNSTRUCTURED_MESH, "", "",
-                       MED_SORT_DTIT, MED_CARTESIAN, axes.c_str(), no_units.c_str()),
+  file.check(med::library().mesh_create(file.id(), name.c_str(), mesh.dimension, own_dimension,
+                                        MED_UNSTRUCTURED_MESH, "", "", MED_SORT_DTIT, MED_CARTESIAN,
+                                        axes.c_str(), no_units.c_str()),
              "the mesh");
-  file.check(MEDfamilyCr(file.id(), name.c_str(), "FAMILLE_ZERO", 0, 0, MED_NO_GROUP), "a family");
+  file.check(med::library().family_create(file.id(), name.c_str(), "FAMILLE_ZERO", 0, 0, MED_NO_GROUP),
+             "a family");
 }
 
 void write_numbers(const med::File& file, const std::string& name, med_entity_type entity,
@@ -88,8 +91,9 @@ void write_numbers(const med::File& file, const std::string& name, med_entity_ty
   if (misfit != numbers.end())
     file.refuse(fmt::format("cannot hold the number {}, it is beyond MED's integers", *misfit));
   const std::vector<med_int> values(numbers.begin(), numbers.end());
-  file.check(MEDmeshEntityNumberWr(file.id(), name.c_str(), MED_NO_DT, MED_NO_IT, entity, geometry,
-                                   static_cast<med_int>(values.size()), values.data()),
+  file.check(med::library().mesh_entity_number_write(file.id(), name.c_str(), MED_NO_DT, MED_NO_IT, entity,
+                                                     geometry, static_cast<med_int>(values.size()),
+                                                     values.data()),
              "the numbers");
 }
 
@@ -97,16 +101,17 @@ void write_names(const med::File& file, const std::string& mesh, med_entity_type
                  med_geometry_type geometry, const std::vector<std::string>& names) {
   if (names.empty())
     return;
-  file.check(MEDmeshEntityNameWr(file.id(), mesh.c_str(), MED_NO_DT, MED_NO_IT, entity, geometry,
-                                 static_cast<med_int>(names.size()),
-                                 med::joined_texts(names, med::short_name_size).c_str()),
+  file.check(med::library().mesh_entity_name_write(file.id(), mesh.c_str(), MED_NO_DT, MED_NO_IT, entity,
+                                                   geometry, static_cast<med_int>(names.size()),
+                                                   med::joined_texts(names, med::short_name_size).c_str()),
              "the names");
 }
 
 void write_family_numbers(const med::File& file, const std::string& name, med_entity_type entity,
                           med_geometry_type geometry, std::span<const med_int> families) {
-  file.check(MEDmeshEntityFamilyNumberWr(file.id(), name.c_str(), MED_NO_DT, MED_NO_IT, entity, geometry,
-                                         static_cast<med_int>(families.size()), families.data()),
+  file.check(med::library().mesh_entity_family_number_write(
+                 file.id(), name.c_str(), MED_NO_DT, MED_NO_IT, entity, geometry,
+                 static_cast<med_int>(families.size()), families.data()),
              "the families");
 }
 
@@ -116,8 +121,9 @@ void write_nodes(const med::File& file, const std::string& name, const Mesh& mes
   coordinates.reserve(mesh.points.size() * static_cast<std::size_t>(mesh.dimension));
   for (const auto& point : mesh.points)
     coordinates.insert(coordinates.end(), point.data(), point.data() + mesh.dimension);
-  file.check(MEDmeshNodeCoordinateWr(file.id(), name.c_str(), MED_NO_DT, MED_NO_IT, no_time,
-                                     MED_FULL_INTERLACE, mesh.node_count(), coordinates.data()),
+  file.check(med::library().mesh_node_coordinate_write(file.id(), name.c_str(), MED_NO_DT, MED_NO_IT, no_time,
+                                                       MED_FULL_INTERLACE, mesh.node_count(),
+                                                       coordinates.data()),
              "the nodes");
   write_numbers(file, name, MED_NODE, MED_NONE, mesh.node_numbers);
   write_names(file, name, MED_NODE, MED_NONE, mesh.node_names);
@@ -138,9 +144,9 @@ std::vector<med_int> nodes_in_med_order(const CellBlock& block) {
 void write_block(const med::File& file, const std::string& name, const CellBlock& block,
                  std::span<const med_int> families) {
   const auto geometry = med::geometry_of(block.type);
-  file.check(MEDmeshElementConnectivityWr(file.id(), name.c_str(), MED_NO_DT, MED_NO_IT, no_time, MED_CELL,
-                                          geometry, MED_NODAL, MED_FULL_INTERLACE, block.cell_count(),
-                                          nodes_in_med_order(block).data()),
+  file.check(med::library().mesh_element_connectivity_write(
+                 file.id(), name.c_str(), MED_NO_DT, MED_NO_IT, no_time, MED_CELL, geometry, MED_NODAL,
+                 MED_FULL_INTERLACE, block.cell_count(), nodes_in_med_order(block).data()),
              "the cells");
   write_numbers(file, name, MED_CELL, geometry, block.numbers);
   write_names(file, name, MED_CELL, geometry, block.names);
