@@ -356,13 +356,29 @@ def test_runs_stop_with_a_checkpoint_when_the_program_is_killed(place):
 # ---- memory ---------------------------------------------------------------------------------------------------
 
 
-def limited(mebibytes):
-    """Options of a program whose address space, of about 250 MiB for a small run, is limited."""
+ONE_BLAS_THREAD = {"env": os.environ | {"OPENBLAS_NUM_THREADS": "1"}}
 
+
+def address_space(place, deck):
+    """Of the first of its runs by itself, in bytes: libraries, stacks of threads and what it computes with."""
+    process = started(place, deck.replace("end: 3e-4", "end: 10"), **ONE_BLAS_THREAD)
+    wait_for_steps(process, place / "deck/one")
+    peaks = [re.search(r"VmPeak:\s*(\d+)", Path(f"/proc/{child}/status").read_text()) for child in children_of(process)]
+    process.send_signal(signal.SIGINT)
+    process.communicate()
+    return max(int(peak[1]) for peak in peaks) << 10
+
+
+@pytest.fixture(scope="module")
+def small_run(tmp_path_factory):
+    return address_space(tmp_path_factory.mktemp("small"), CUBE)
+
+
+def limited(address_space):
     def limit():
-        resource.setrlimit(resource.RLIMIT_AS, (mebibytes << 20, mebibytes << 20))
+        resource.setrlimit(resource.RLIMIT_AS, (address_space, address_space))
 
-    return {"preexec_fn": limit, "env": os.environ | {"OPENBLAS_NUM_THREADS": "1"}}
+    return {"preexec_fn": limit, **ONE_BLAS_THREAD}
 
 
 def is_sanitized():
@@ -375,9 +391,11 @@ without_limit = pytest.mark.skipif(
 
 
 @without_limit
-def test_runs_that_do_not_fit_beside_others_wait(place):
-    one = run(place, CUBE, "-o", "one", "-q")
-    beside = run(place, CUBE, "-o", "beside", "--jobs", "3", **limited(370))
+def test_runs_that_do_not_fit_beside_others_wait(place, tmp_path_factory):
+    deck = CUBE.replace("[8, 8, 8]", "[16, 16, 16]")  # needs twice as much memory as a process before it begins
+    one_run = address_space(tmp_path_factory.mktemp("one_run"), deck)
+    one = run(place, deck, "-o", "one", "-q")
+    beside = run(place, deck, "-o", "beside", "--jobs", "3", **limited(one_run + (20 << 20)))
     assert one.returncode == beside.returncode == 0, beside.stderr
     # Whichever of them counts its memory first says so first.
     waits = sorted((line for line in beside.stderr.splitlines() if " waits for memory: " in line), reverse=True)
@@ -389,9 +407,9 @@ def test_runs_that_do_not_fit_beside_others_wait(place):
 
 
 @without_limit
-def test_a_run_unlike_the_others_waits_before_it_factors_its_matrix(place):
+def test_a_run_unlike_the_others_waits_before_it_factors_its_matrix(place, small_run):
     deck = CUBE.replace("one: {}, two: {", "one: {time: {end: 0.05}}, two: {solver: condensed, ")
-    beside = run(place, deck, "-o", "beside", "--jobs", "2", "--only", "one,two", **limited(400))
+    beside = run(place, deck, "-o", "beside", "--jobs", "2", "--only", "one,two", **limited(small_run + (50 << 20)))
     assert beside.returncode == 0, beside.stderr
     assert re.search(
         r"^two: waits for memory: the factor of its matrix needs .* MB, and .* [kM]B are left beside one$",
@@ -403,9 +421,9 @@ def test_a_run_unlike_the_others_waits_before_it_factors_its_matrix(place):
 
 
 @without_limit
-def test_a_run_that_waits_for_memory_stops_at_once(place):
+def test_a_run_that_waits_for_memory_stops_at_once(place, small_run):
     deck = CUBE.replace("two: {", "two: {solver: condensed, ").replace("end: 3e-4", "end: 10")
-    process = started(place, deck, **limited(400))
+    process = started(place, deck, **limited(small_run + (50 << 20)))
     err = ""
     while "two: waits" not in err:
         err += process.stderr.readline()
@@ -420,10 +438,10 @@ def test_a_run_that_waits_for_memory_stops_at_once(place):
 
 
 @without_limit
-def test_a_run_that_does_not_fit_alone_is_refused_as_ever(place):
+def test_a_run_that_does_not_fit_alone_is_refused_as_ever(place, small_run):
     deck = CUBE.replace("[8, 8, 8]", "[22, 22, 22]")
-    one = run(place, deck, "-q", **limited(500))
-    beside = run(place, deck, "-q", "--jobs", "2", **limited(500))
+    one = run(place, deck, "-q", **limited(small_run + (150 << 20)))
+    beside = run(place, deck, "-q", "--jobs", "2", **limited(small_run + (150 << 20)))
     assert (one.returncode, beside.returncode) == (2, 2)
     for done in [one, beside]:
         assert re.fullmatch(r"error: the model is too large for this machine: with its 34914 unknowns .*\n", done.stderr)
