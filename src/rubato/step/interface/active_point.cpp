@@ -331,14 +331,15 @@ void reduce_equations(ActivePoint& point, double compliance) {
   }
 }
 
-contact::PointVector multiplier_change(const ActivePoint& point, const double* force,
+contact::PointVector multiplier_change(const ActivePoint& point, std::span<const double> force,
                                        const Eigen::VectorXd& moved) {
   const auto& r = point.response;
   const Index d = r.components;
   const Index m = r.multipliers();
   std::array<double, most_rows> right{};
   for (Index row = 0; row < d + m; ++row)
-    right[static_cast<std::size_t>(row)] = row < d ? force[row] : -r.equations[row - d];
+    right[static_cast<std::size_t>(row)] =
+        row < d ? force[static_cast<std::size_t>(row)] : -r.equations[row - d];
   for (std::size_t q = 0; q < point.interface_dofs.size(); ++q) {
     const double by = moved[point.interface_dofs[q]];
     for (Index row = 0; row < d + m; ++row)

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace rubato::step {
@@ -58,7 +59,7 @@ void reduce_equations(ActivePoint& point, double compliance);
 
 /// δm of a point whose force changes by `force`, one a component, while the surface moves by `moved`, one an
 /// interface dof.
-contact::PointVector multiplier_change(const ActivePoint& point, const double* force,
+contact::PointVector multiplier_change(const ActivePoint& point, std::span<const double> force,
                                        const Eigen::VectorXd& moved);
 
 } // namespace rubato::step

@@ -465,7 +465,8 @@ void InterfaceNewtonSystem::add_force(const Change& change, VectorXd& force) con
 
 contact::PointVector InterfaceNewtonSystem::multipliers_of(const ActivePoint& point, const Change& change,
                                                            const VectorXd& moved) const {
-  return multiplier_change(point, change.force.data() + point.first, moved);
+  const auto components = static_cast<std::size_t>(point.components());
+  return multiplier_change(point, {change.force.data() + point.first, components}, moved);
 }
 
 } // namespace rubato::step

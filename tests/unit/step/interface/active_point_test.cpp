@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "support/dense.hpp"
+#include <array>
 #include <random>
 #include <string>
 #include <vector>
@@ -200,7 +201,7 @@ TEST(AMultiplierThatNothingFreeAnswersTo, StaysAsItIs) {
     auto point = held_point(rounding);
     eliminate_multipliers(point);
     const VectorXd moved = VectorXd::Constant(1, 3);
-    EXPECT_NEAR(multiplier_change(point, VectorXd::Constant(1, 1.5), moved)[0], 0, 1e-15);
+    EXPECT_NEAR(multiplier_change(point, std::array{1.5}, moved)[0], 0, 1e-15);
     // The force changes by what moves alone: δz = 0.5 δq.
     EXPECT_NEAR(point.by_force(0, 0) * 1.5 + point.rows.left(0, 0) * 3, point.right[0], 1e-15);
     EXPECT_EQ(point.response.equations[0], 0);
