@@ -109,7 +109,7 @@ TEST_P(PointWith, FindsItsMultipliersAgain) {
   eliminate_multipliers(point);
   const auto changes = changes_of(point);
   const VectorXd moved = changes.q.reverse();
-  const VectorXd found = multiplier_change(point, changes.z, moved);
+  const VectorXd found = multiplier_change(point, std::vector(changes.z.begin(), changes.z.end()), moved);
   EXPECT_LE((found - changes.m).norm(), 1e-12 * (1 + changes.m.norm()));
 }
 
