@@ -78,6 +78,18 @@ inline Eigen::Vector3d unit_of(const Eigen::Vector3d& a) {
   return length > 0 ? Eigen::Vector3d(a[0] / length, a[1] / length, a[2] / length) : a;
 }
 
+/// A unit vector perpendicular to a.
+inline Eigen::Vector3d unit_across(const Eigen::Vector3d& a) {
+  constexpr double rounding = 1e-12;
+  const auto is_rounding = [&](double part) { return std::abs(part) <= rounding * std::abs(a[2]); };
+  if (!is_rounding(a[0]) || !is_rounding(a[1])) {
+    const double inverse = 1 / std::sqrt(a[0] * a[0] + a[1] * a[1]);
+    return {-a[1] * inverse, a[0] * inverse, 0};
+  }
+  const double inverse = 1 / std::sqrt(a[1] * a[1] + a[2] * a[2]);
+  return {0, -a[2] * inverse, a[1] * inverse};
+}
+
 /// The part of a across a unit vector.
 inline Eigen::Vector3d part_across(const Eigen::Vector3d& unit, const Eigen::Vector3d& a) {
   return difference_of(a, scaled(dot(a, unit), unit));

@@ -65,6 +65,10 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
   return candidates.empty() ? "" : fmt::format("; expected one of {}", fmt::join(candidates, ", "));
 }
 
+std::string joined(const std::vector<std::string>& words, const std::string& between) {
+  return fmt::format("{}", fmt::join(words, between));
+}
+
 bool is_name(const std::string& text) {
   const auto fits = [](char letter) {
     const auto byte = static_cast<unsigned char>(letter);

@@ -16,6 +16,9 @@ std::string nearest_word(const std::string& word, const std::vector<std::string>
 /// "; did you mean 'step'?", or, when no candidate is near, "; expected one of a, b, c".
 std::string suggestion(const std::string& word, const std::vector<std::string>& candidates);
 
+/// "a, b, c" where ", " is put between.
+std::string joined(const std::vector<std::string>& words, const std::string& between);
+
 /// Whether a name that the user chose may be a column or a folder of the results: up to 100 letters, digits,
 /// "_" and "-".
 bool is_name(const std::string& text);

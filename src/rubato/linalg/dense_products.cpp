@@ -29,6 +29,12 @@ void add_product(const MatrixXd& a, const VectorXd& x, VectorXd& y) {
   y.noalias() += a * x;
 }
 
+void add_scaled(double factor, const VectorXd& values, VectorXd& to) {
+  const auto size = to.size();
+  for (Eigen::Index i = 0; i < size; ++i)
+    to[i] += factor * values[i];
+}
+
 double largest_magnitude(const VectorXd& values) {
   double largest = 0;
   for (const double value : values)

@@ -18,6 +18,9 @@ Eigen::VectorXd transposed_product(const Eigen::MatrixXd& a, const Eigen::Vector
 /// y += A x
 void add_product(const Eigen::MatrixXd& a, const Eigen::VectorXd& x, Eigen::VectorXd& y);
 
+/// to += factor · values
+void add_scaled(double factor, const Eigen::VectorXd& values, Eigen::VectorXd& to);
+
 /// The largest magnitude, 0 of no numbers.
 double largest_magnitude(const Eigen::VectorXd& values);
 

@@ -45,12 +45,23 @@ Eigen::VectorXd along_axis(const Model& model, int axis) {
   return along;
 }
 
+/// factor · a_i b_i
+Eigen::VectorXd product_of_entries(double factor, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  Eigen::VectorXd product(a.size());
+  for (Eigen::Index i = 0; i < a.size(); ++i)
+    product[i] = factor * a[i] * b[i];
+  return product;
+}
+
 /// −M r
 Eigen::VectorXd inertia_along(const Model& model, int axis) {
   const auto along = along_axis(model, axis);
   if (model.lumped_mass.size() > 0)
-    return -model.lumped_mass.cwiseProduct(along);
-  return -linalg::product_of(model.mass, along, model.sharing());
+    return product_of_entries(-1, model.lumped_mass, along);
+  auto inertia = linalg::product_of(model.mass, along, model.sharing());
+  for (auto& value : inertia)
+    value = -value;
+  return inertia;
 }
 
 /// c (c·r) times a coefficient; 0 of connectors between places, which a translation does not stretch.
@@ -89,8 +100,11 @@ void add_force(Model& model, const study::Field& acceleration, int axis) {
   const auto field =
       study::field_function(acceleration, model.study.functions, path_of(static_cast<std::size_t>(axis)));
   auto pattern = inertia_along(model, axis);
-  if (!field.expression)
-    return model.forces.push_back({field.number * pattern, field.function, {}});
+  if (!field.expression) {
+    for (auto& value : pattern)
+      value *= field.number;
+    return model.forces.push_back({std::move(pattern), field.function, {}});
+  }
   Function function{Expression(*field.expression)};
   if (field.function)
     function = Function(Product{{std::move(function), *field.function}});
@@ -139,7 +153,9 @@ void move_ground(Model& model) {
     if (const auto& moved = base.at(static_cast<std::size_t>(axis))) {
       const auto along = along_axis(model, axis);
       GroundPull pull{*moved, along, ground_stiffness(model, along), ground_damping(model, along)};
-      if (!pull.stiffness.isZero(0) || pull.damping.size() > 0)
+      const bool has_stiffness =
+          std::any_of(pull.stiffness.begin(), pull.stiffness.end(), [](double value) { return value != 0; });
+      if (has_stiffness || pull.damping.size() > 0)
         model.ground.push_back(std::move(pull));
     }
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/domain/law_springs.hpp"
 #include "rubato/linalg/sparse_sum.hpp"
 #include "rubato/model/build.hpp"
@@ -22,6 +23,14 @@ struct End {
   std::vector<int> dofs;
   Eigen::MatrixXd motion; ///< a row a direction
 };
+
+Eigen::MatrixXd first_rows(const Eigen::MatrixXd& matrix, Index count) {
+  Eigen::MatrixXd rows(count, matrix.cols());
+  for (Index j = 0; j < matrix.cols(); ++j)
+    for (Index i = 0; i < count; ++i)
+      rows(i, j) = matrix(i, j);
+  return rows;
+}
 
 class ConnectorMaker {
 public:
@@ -50,14 +59,14 @@ private:
     if (others.empty() || !is_one(ends, connector.on, path + ".on") ||
         !is_one(others, connector.to, path + ".to"))
       return;
-    const Vector3d way = others.front().place - ends.front().place;
-    if (!connector.along && way.norm() == 0)
+    const Vector3d way = contact::difference_of(others.front().place, ends.front().place);
+    if (!connector.along && contact::length_of(way) == 0)
       return faults_.push_back(fault_at(
           path,
           fmt::format("'{}' and '{}' are at the same place, expected 'along', the direction of the connector",
                       connector.on, connector.to)));
     add(connector, ends.front(), &others.front(),
-        connector.along ? direction_of(*connector.along) : Vector3d(way.normalized()));
+        connector.along ? direction_of(*connector.along) : contact::unit_of(way));
   }
 
   /// A mass along each direction, its moments of inertia about each axis that things turn about.
@@ -82,7 +91,7 @@ private:
   }
 
   static Vector3d direction_of(const std::array<double, 3>& along) {
-    return Vector3d(along[0], along[1], along[2]).normalized();
+    return contact::unit_of({along[0], along[1], along[2]});
   }
 
   bool is_one(const std::vector<End>& ends, const std::string& name, const std::string& path) {
@@ -98,7 +107,7 @@ private:
   std::vector<End> ends_of(const Mention& name) {
     std::vector<End> ends;
     if (const auto* reference = reference_named(references_, name.name)) {
-      ends.push_back({reference->place, reference->dofs, reference->motion.topRows(dofs_.components)});
+      ends.push_back({reference->place, reference->dofs, first_rows(reference->motion, dofs_.components)});
       return ends;
     }
     for (const auto node : body_nodes_or_fault(mesh_, dofs_, name, "to pull at", faults_)) {
@@ -119,9 +128,12 @@ private:
     if (made.damper)
       made.damping = steepest(*made.damper);
     const auto add_end = [&](const End& at, double sign) {
-      const Eigen::RowVectorXd row = sign * direction.head(dofs_.components).transpose() * at.motion;
-      for (std::size_t d = 0; d < at.dofs.size(); ++d)
-        made.row.push_back({at.dofs[d], row[static_cast<Index>(d)]});
+      for (std::size_t d = 0; d < at.dofs.size(); ++d) {
+        double along = 0;
+        for (int i = 0; i < dofs_.components; ++i)
+          along += sign * direction[i] * at.motion(i, static_cast<Index>(d));
+        made.row.push_back({at.dofs[d], along});
+      }
     };
     add_end(end, other != nullptr ? -1 : 1); // > 0: elongated
     if (other != nullptr)

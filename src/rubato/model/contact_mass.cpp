@@ -3,13 +3,19 @@
 
 #include "rubato/core/error.hpp"
 #include "rubato/linalg/dense_decompositions.hpp"
+#include "rubato/linalg/dense_products.hpp"
+#include "rubato/linalg/sparse_products.hpp"
 #include "rubato/model/bodies.hpp"
 #include "rubato/model/model.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -53,16 +59,25 @@ struct Body {
 };
 
 MatrixXd positions_of(const mesh::Mesh& mesh, const domain::DofMap& dofs, const std::vector<int>& nodes) {
-  MatrixXd x(static_cast<Index>(nodes.size()), mesh.dimension);
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    x.row(static_cast<Index>(i)) =
-        mesh.points[static_cast<std::size_t>(dofs.nodes[static_cast<std::size_t>(nodes[i])])].head(
-            mesh.dimension);
-  const Eigen::RowVectorXd low = x.colwise().minCoeff();
-  const Eigen::RowVectorXd high = x.colwise().maxCoeff();
-  MatrixXd positions(x.rows(), mesh.dimension + 1);
-  positions.col(0).setOnes();
-  positions.rightCols(mesh.dimension) = (x.rowwise() - 0.5 * (low + high)) / (high - low).maxCoeff();
+  const auto place = [&](std::size_t i) {
+    return mesh.points[static_cast<std::size_t>(dofs.nodes[static_cast<std::size_t>(nodes[i])])].data();
+  };
+  const auto axes = static_cast<std::size_t>(mesh.dimension);
+  std::array<double, 3> low{place(0)[0], place(0)[1], place(0)[2]};
+  auto high = low;
+  for (std::size_t i = 1; i < nodes.size(); ++i)
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+      low[axis] = std::min(low[axis], place(i)[axis]);
+      high[axis] = std::max(high[axis], place(i)[axis]);
+    }
+  double size = 0;
+  for (std::size_t axis = 0; axis < axes; ++axis)
+    size = std::max(size, high[axis] - low[axis]);
+  MatrixXd positions = MatrixXd::Ones(static_cast<Index>(nodes.size()), mesh.dimension + 1);
+  for (std::size_t axis = 0; axis < axes; ++axis)
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      positions(static_cast<Index>(i), static_cast<Index>(axis) + 1) =
+          (place(i)[axis] - 0.5 * (low[axis] + high[axis])) / size;
   return positions;
 }
 
@@ -99,20 +114,56 @@ MatrixXd products_of(const MatrixXd& columns, Index count) {
   Index next = 0;
   for (Index p = 0; p < count; ++p)
     for (Index q = p; q < count; ++q)
-      products.col(next++) = columns.col(p).cwiseProduct(columns.col(q));
+      for (Index i = 0, pair = next++; i < columns.rows(); ++i)
+        products(i, pair) = columns(i, p) * columns(i, q);
   return products;
+}
+
+double dot(const double* a, const double* b, Index size) {
+  double sum = 0;
+  for (Index i = 0; i < size; ++i)
+    sum += a[i] * b[i];
+  return sum;
 }
 
 /// Σ m_ij p_i q_j of every pair of the first `count` columns of `columns`.
 VectorXd moments_of(const SparseMatrix& mass, const MatrixXd& columns, Index count) {
   VectorXd moments(count * (count + 1) / 2);
   Index next = 0;
-  for (Index p = 0; p < count; ++p) {
-    const VectorXd weighed = mass * columns.col(p);
+  const auto weighed = linalg::product(mass, columns);
+  for (Index p = 0; p < count; ++p)
     for (Index q = p; q < count; ++q)
-      moments[next++] = weighed.dot(columns.col(q));
-  }
+      moments[next++] = dot(&weighed(0, p), &columns(0, q), columns.rows());
   return moments;
+}
+
+/// Of each node d_i 1, x, y, z.
+MatrixXd scaled_by(const VectorXd& factors, const MatrixXd& columns, Index count) {
+  MatrixXd scaled(columns.rows(), count);
+  for (Index p = 0; p < count; ++p)
+    for (Index i = 0; i < columns.rows(); ++i)
+      scaled(i, p) = factors[i] * columns(i, p);
+  return scaled;
+}
+
+/// How the moments change with the coefficients of the polynomial.
+MatrixXd slope_of(const MatrixXd& columns, const MatrixXd& weighed, const MatrixXd& basis) {
+  MatrixXd slope(basis.cols(), basis.cols());
+  std::vector<double> gradient(static_cast<std::size_t>(columns.rows()));
+  Index row = 0;
+  for (Index p = 0; p < weighed.cols(); ++p)
+    for (Index q = p; q < weighed.cols(); ++q, ++row) {
+      for (Index i = 0; i < columns.rows(); ++i)
+        gradient[static_cast<std::size_t>(i)] = columns(i, p) * weighed(i, q) + columns(i, q) * weighed(i, p);
+      for (Index k = 0; k < basis.cols(); ++k)
+        slope(row, k) = dot(gradient.data(), &basis(0, k), columns.rows());
+    }
+  return slope;
+}
+
+bool are_moderate(const VectorXd& factors) {
+  return std::all_of(factors.begin(), factors.end(),
+                     [](double factor) { return factor > 1 / most_change && factor < most_change; });
 }
 
 /// Factors d with which d_i m_ij d_j has the moments of the first `count` columns of 1, x, y, z: the product
@@ -121,28 +172,18 @@ VectorXd moments_of(const SparseMatrix& mass, const MatrixXd& columns, Index cou
 std::optional<VectorXd> factors_of(const Body& body, Index count) {
   const auto& x = body.positions;
   const VectorXd wanted = moments_of(body.before, x, count);
-  const double carried = x.col(0).dot(body.inside * x.col(0));
+  const double carried = moments_of(body.inside, scaled_by(VectorXd::Ones(x.rows()), x, 1), 1)[0];
   if (!(carried > 0))
     return std::nullopt;
   const MatrixXd basis = products_of(x, count);
   VectorXd factors = VectorXd::Constant(x.rows(), std::sqrt(wanted[0] / carried));
   for (int round = 0; round < newton_rounds; ++round) {
-    const MatrixXd scaled = factors.asDiagonal() * x.leftCols(count);
+    const auto scaled = scaled_by(factors, x, count);
     const VectorXd missing = wanted - moments_of(body.inside, scaled, count);
-    if (missing.norm() <= kept_moments * wanted.norm()) {
-      const bool moderate = factors.minCoeff() > 1 / most_change && factors.maxCoeff() < most_change;
-      return count == 1 || moderate ? std::optional(factors) : std::nullopt;
-    }
-    const MatrixXd weighed = body.inside * scaled;
-    MatrixXd slope(wanted.size(), basis.cols());
-    Index row = 0;
-    for (Index p = 0; p < count; ++p)
-      for (Index q = p; q < count; ++q) {
-        const VectorXd gradient =
-            x.col(p).cwiseProduct(weighed.col(q)) + x.col(q).cwiseProduct(weighed.col(p));
-        slope.row(row++) = gradient.transpose() * basis;
-      }
-    factors += basis * linalg::least_norm_solution(slope, missing);
+    if (missing.norm() <= kept_moments * wanted.norm())
+      return count == 1 || are_moderate(factors) ? std::optional(factors) : std::nullopt;
+    const auto slope = slope_of(x, linalg::product(body.inside, scaled), basis);
+    linalg::add_product(basis, linalg::least_norm_solution(slope, missing), factors);
   }
   return std::nullopt;
 }
@@ -167,7 +208,8 @@ VectorXd mass_factors(const mesh::Mesh& mesh, const domain::Bulk& bulk, const do
     if (loses[b] == 0)
       continue;
     const auto body = take_body(mesh, dofs, mass, std::move(nodes_of[b]), is_massless);
-    if (!(body.before.sum() > 0))
+    const std::span entries(body.before.valuePtr(), static_cast<std::size_t>(body.before.nonZeros()));
+    if (!(std::accumulate(entries.begin(), entries.end(), 0.0) > 0))
       continue; // held whole, of density 0
     // Thin bodies have no places for moments of their depth: they keep their mass alone.
     auto factors = factors_of(body, mesh.dimension + 1);

@@ -21,6 +21,13 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
+std::vector<double> row_of(const Eigen::MatrixXd& matrix, Eigen::Index row) {
+  std::vector<double> values(static_cast<std::size_t>(matrix.cols()));
+  for (std::size_t k = 0; k < values.size(); ++k)
+    values[k] = matrix(row, static_cast<Eigen::Index>(k));
+  return values;
+}
+
 class LoadBuilder {
 public:
   LoadBuilder(const study::Study& study, const mesh::Mesh& mesh, const domain::DofMap& dofs,
@@ -74,7 +81,7 @@ private:
         continue;
       const load::LoadedPlace at{{reference.place[0], reference.place[1], reference.place[2]},
                                  reference.dofs,
-                                 {reference.motion.row(row).begin(), reference.motion.row(row).end()}};
+                                 row_of(reference.motion, row)};
       if (const auto* number = load.components[axis].number())
         load::add_at(at, *number, force.pattern);
       else
@@ -203,7 +210,7 @@ private:
       if (const auto* reference = reference_named(references_, masses.on)) {
         const auto& x = reference->place;
         load::LoadedPlace at{{x[0], x[1], x[2]}, reference->dofs, {}};
-        for (const double weight : reference->motion.row(component))
+        for (const double weight : row_of(reference->motion, component))
           at.weights.push_back(masses.mass * weight);
         visit(at);
         continue;

@@ -2,6 +2,7 @@
 #include "rubato/model/formulation_notes.hpp"
 
 #include "rubato/cell/topology.hpp"
+#include "rubato/core/naming.hpp"
 #include "rubato/material/make_point_law.hpp"
 #include "rubato/model/bodies.hpp"
 #include "rubato/model/layers.hpp"
@@ -11,9 +12,9 @@
 #include "rubato/study/words.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -40,10 +41,10 @@ std::vector<std::vector<std::size_t>> cells_by_material(const study::Study& stud
 
 /// "QUAD4", "QUAD4 and TRIA3".
 std::string names_of(const std::set<CellType>& types) {
-  std::vector<std::string_view> names;
+  std::vector<std::string> names;
   for (const auto type : types)
-    names.push_back(cell::topology(type).name);
-  return fmt::format("{}", fmt::join(names, " and "));
+    names.emplace_back(cell::topology(type).name);
+  return joined(names, " and ");
 }
 
 /// Whether the study so changed keeps its rules.
@@ -100,7 +101,9 @@ void note_locking(const Model& model, const Material& material, const std::vecto
 /// Whether supports hold every node of the cell along the axis that is nearest to a direction.
 bool is_held_along(const Model& model, mesh::CellIndex cell, const Eigen::Vector3d& direction) {
   Eigen::Index axis = 0;
-  direction.cwiseAbs().maxCoeff(&axis);
+  for (Eigen::Index i = 1; i < direction.size(); ++i)
+    if (std::abs(direction[i]) > std::abs(direction[axis]))
+      axis = i;
   return std::ranges::all_of(model.mesh.nodes_of(cell), [&](mesh::NodeIndex node) {
     return model.reduction.is_prescribed(model.dofs.dof(node, static_cast<int>(axis)));
   });

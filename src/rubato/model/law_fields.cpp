@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/domain/cell_matrices.hpp"
 #include "rubato/model/build.hpp"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,7 +23,14 @@ using Eigen::Vector3d;
 constexpr double on_axis = 1e-6;
 
 double size_of(const Matrix3Xd& places) {
-  return (places.rowwise().maxCoeff() - places.rowwise().minCoeff()).norm();
+  Vector3d low = contact::column_of(places, 0);
+  Vector3d high = low;
+  for (Eigen::Index k = 1; k < places.cols(); ++k)
+    for (Eigen::Index i = 0; i < low.size(); ++i) {
+      low[i] = std::min(low[i], places(i, k));
+      high[i] = std::max(high[i], places(i, k));
+    }
+  return contact::length_of(contact::difference_of(high, low));
 }
 
 Vector3d to_vector(const std::array<double, 3>& numbers) {
@@ -32,14 +39,14 @@ Vector3d to_vector(const std::array<double, 3>& numbers) {
 
 /// Angles about the line at which the nodes are seen that are not on it, ascending [radians].
 std::vector<double> angles_about(const study::CylindricalAxes& axes, const Matrix3Xd& nodes, double size) {
-  const Vector3d along = to_vector(axes.direction).normalized();
-  const Vector3d across = along.unitOrthogonal();
-  const Vector3d third = along.cross(across);
+  const Vector3d along = contact::unit_of(to_vector(axes.direction));
+  const Vector3d across = contact::unit_across(along);
+  const Vector3d third = contact::cross(along, across);
   std::vector<double> angles;
-  for (const auto& node : nodes.colwise()) {
-    const Vector3d arm = node - to_vector(axes.point);
-    const double x = arm.dot(across);
-    const double y = arm.dot(third);
+  for (Eigen::Index k = 0; k < nodes.cols(); ++k) {
+    const Vector3d arm = contact::difference_of(contact::column_of(nodes, k), to_vector(axes.point));
+    const double x = contact::dot(arm, across);
+    const double y = contact::dot(arm, third);
     if (std::hypot(x, y) > on_axis * size)
       angles.push_back(std::atan2(y, x));
   }
@@ -62,9 +69,10 @@ bool is_crossed(const study::CylindricalAxes& axes, const Matrix3Xd& nodes) {
 void refuse_on_axis(const mesh::Mesh& mesh, mesh::CellIndex cell, const material::LawField& field,
                     const study::CylindricalAxes& axes, const Matrix3Xd& nodes, const Matrix3Xd& points) {
   const double size = size_of(nodes);
-  const bool is_on_point = std::ranges::any_of(points.colwise(), [&](const auto& place) {
-    return field.distance_to_axis(place).value_or(size) <= on_axis * size;
-  });
+  bool is_on_point = false;
+  for (Eigen::Index k = 0; k < points.cols(); ++k)
+    is_on_point =
+        is_on_point || field.distance_to_axis(contact::column_of(points, k)).value_or(size) <= on_axis * size;
   if (is_on_point || is_crossed(axes, nodes))
     throw InputError(
         {fault_at(field.path_of_axes(),
@@ -81,19 +89,22 @@ void evaluate(const study::Material& material, const mesh::Mesh& mesh, const dom
   const auto type = mesh.type_of(index);
   const domain::CellPoints nodes(mesh, mesh.nodes_of(index));
   const std::span<const Eigen::Vector3d> points = nodes;
-  const Eigen::Map<const Matrix3Xd> corners(points.front().data(), 3,
-                                            static_cast<Eigen::Index>(points.size()));
   const auto places = element::places(cell::stiffness_table(type), points);
-  if (const auto& axes = material.orthotropy.cylindrical; axes && field.distance_to_axis(places.col(0)))
+  if (const auto& axes = material.orthotropy.cylindrical;
+      axes && field.distance_to_axis(contact::column_of(places, 0))) {
+    Matrix3Xd corners(3, static_cast<Eigen::Index>(points.size()));
+    for (std::size_t k = 0; k < points.size(); ++k)
+      contact::set_column(static_cast<Eigen::Index>(k), points[k], corners);
     refuse_on_axis(mesh, index, field, *axes, corners, places);
+  }
   if (field.varies_tangent())
-    for (const auto& place : places.colwise())
-      field.at(place);
+    for (Eigen::Index k = 0; k < places.cols(); ++k)
+      field.at(contact::column_of(places, k));
   if (!field.varies_density())
     return;
   const auto places_of_mass = element::places(cell::mass_table(type), points);
-  for (const auto& place : places_of_mass.colwise())
-    field.density_at(place);
+  for (Eigen::Index k = 0; k < places_of_mass.cols(); ++k)
+    field.density_at(contact::column_of(places_of_mass, k));
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "rubato/model/layers.hpp"
 
 #include "rubato/cell/topology.hpp"
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/mesh/corner_sets.hpp"
 
 #include <Eigen/Core>
@@ -158,19 +159,21 @@ private:
     const auto& own = cell::topology(type_of(cell)).sides[side].nodes;
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const auto local : own)
-      sum += mesh_.points[static_cast<std::size_t>(nodes[local])];
-    return sum / static_cast<double>(own.size());
+      contact::add_scaled(1, mesh_.points[static_cast<std::size_t>(nodes[local])], sum);
+    for (auto& value : sum)
+      value /= static_cast<double>(own.size());
+    return sum;
   }
 
   /// Between the centres of both sides.
   Eigen::Vector3d across(std::size_t cell, std::uint8_t direction) const {
     const auto first = opposite(cell).first.at(direction);
-    return centre(cell, opposite(cell).other.at(first)) - centre(cell, first);
+    return contact::difference_of(centre(cell, opposite(cell).other.at(first)), centre(cell, first));
   }
 
   void take(std::size_t cell, std::uint8_t direction, Row& row) {
     row_of(cell, direction) = static_cast<std::int32_t>(rows_.size());
-    row.length += across(cell, direction).norm();
+    row.length += contact::length_of(across(cell, direction));
     ++row.count;
   }
 

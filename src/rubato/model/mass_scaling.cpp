@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace rubato::model {
 namespace {
@@ -20,7 +21,8 @@ double allowed_rate(const study::TimeStepping& time) {
 
 /// ≥ 1. The bound is cheap, so that only cells near the limit have their λ found.
 double factor_of(const domain::CellVibration& cell, double allowed) {
-  if (!(cell.mass.minCoeff() > 0) || cell.bound() <= allowed)
+  const bool has_mass = std::all_of(cell.mass.begin(), cell.mass.end(), [](double mass) { return mass > 0; });
+  if (!has_mass || cell.bound() <= allowed)
     return 1;
   return std::max(1.0, cell.largest() / allowed);
 }
@@ -35,16 +37,17 @@ MassScaling scaled_masses(const Model& model) {
     const auto cell = domain::vibration_of(model.mesh, model.bulk, i);
     const double factor = factor_of(cell, allowed);
     scaling.factors.push_back(factor);
-    scaling.mass += cell.mass.sum();
+    const double mass = std::accumulate(cell.mass.begin(), cell.mass.end(), 0.0);
+    scaling.mass += mass;
     if (!(factor > 1))
       continue;
     ++scaling.cells;
     scaling.largest_factor = std::max(scaling.largest_factor, factor);
-    scaling.added_mass += (factor - 1) * cell.mass.sum();
+    scaling.added_mass += (factor - 1) * mass;
     const auto nodes = model.mesh.nodes_of(model.bulk.cells[i]);
     for (std::size_t n = 0; n < nodes.size(); ++n)
-      scaling.added.segment(model.dofs.dof(nodes[n], 0), model.dofs.components).array() +=
-          (factor - 1) * cell.mass[static_cast<Eigen::Index>(n)];
+      for (int a = 0; a < model.dofs.components; ++a)
+        scaling.added[model.dofs.dof(nodes[n], a)] += (factor - 1) * cell.mass[static_cast<Eigen::Index>(n)];
   }
   return scaling;
 }

@@ -14,6 +14,7 @@
 #include "rubato/study/damping.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -44,7 +45,10 @@ void take(SparseMatrix& to, SparseMatrix&& from) {
 
 SparseMatrix diagonal_matrix(const VectorXd& diagonal) {
   SparseMatrix matrix(diagonal.size(), diagonal.size());
-  matrix = diagonal.asDiagonal();
+  matrix.resizeNonZeros(diagonal.size());
+  std::copy(diagonal.begin(), diagonal.end(), matrix.valuePtr());
+  std::iota(matrix.innerIndexPtr(), matrix.innerIndexPtr() + diagonal.size(), 0);
+  std::iota(matrix.outerIndexPtr(), matrix.outerIndexPtr() + diagonal.size() + 1, 0);
   return matrix;
 }
 
@@ -176,7 +180,8 @@ void assemble_explicit(Model& model) {
       linear ? make_domain(model, *pattern, model.threads) : make_explicit_domain(model, scaling.factors);
   model.lumped_mass = domain::lumped_mass(model.mesh, bulk, model.dofs);
   if (model.study.time.mass_scaling) {
-    model.lumped_mass += scaling.added;
+    for (Eigen::Index i = 0; i < scaling.added.size(); ++i)
+      model.lumped_mass[i] += scaling.added[i];
     model.notes.push_back(described(scaling, model.study.time));
   }
   add_point_masses(model);

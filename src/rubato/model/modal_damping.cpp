@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/model/modal_damping.hpp"
 
+#include "rubato/linalg/dense_products.hpp"
 #include "rubato/linalg/eigen_modes.hpp"
 #include "rubato/linalg/ranked_matrix.hpp"
 #include "rubato/model/build.hpp"
@@ -41,6 +42,13 @@ linalg::EigenModes found_modes(const Model& model, int number) {
 
 } // namespace
 
+VectorXd ModalDamping::force(const VectorXd& v) const {
+  auto parts = linalg::transposed_product(momenta, v);
+  for (Index k = 0; k < parts.size(); ++k)
+    parts[k] *= factors[k];
+  return linalg::product(momenta, parts);
+}
+
 ModalDamping make_modal_damping(const Model& model) {
   ModalDamping damping;
   const auto& asked = model.study.modal_damping;
@@ -55,8 +63,9 @@ ModalDamping make_modal_damping(const Model& model) {
   damping.momenta.resize(model.dofs.dof_count, count);
   damping.factors.resize(count);
   for (Index k = 0; k < count; ++k) {
-    damping.momenta.col(k) =
-        linalg::product_of(model.mass, model.reduction.scatter(modes.vectors.col(k)), model.sharing());
+    const VectorXd shape = Eigen::Map<const VectorXd>(&modes.vectors(0, k), modes.vectors.rows());
+    const auto momenta = linalg::product_of(model.mass, model.reduction.scatter(shape), model.sharing());
+    std::copy(momenta.begin(), momenta.end(), &damping.momenta(0, k));
     damping.factors[k] = 2 * ratio_of(*asked, k) * std::sqrt(std::max(0.0, modes.values[k]));
   }
   return damping;

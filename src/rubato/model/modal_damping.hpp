@@ -14,9 +14,7 @@ struct ModalDamping {
 
   bool empty() const { return factors.size() == 0; }
   /// C v [force]
-  Eigen::VectorXd force(const Eigen::VectorXd& v) const {
-    return momenta * (factors.array() * (momenta.transpose() * v).array()).matrix();
-  }
+  Eigen::VectorXd force(const Eigen::VectorXd& v) const;
 };
 
 } // namespace rubato::model

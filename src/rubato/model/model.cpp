@@ -2,6 +2,7 @@
 #include "rubato/model/model.hpp"
 
 #include "rubato/core/function.hpp"
+#include "rubato/linalg/dense_products.hpp"
 #include "rubato/linalg/ranked_matrix.hpp"
 #include "rubato/mesh/convert.hpp"
 #include "rubato/mesh/generate.hpp"
@@ -251,7 +252,7 @@ Model build_stage(const Model& first, double release, const VectorXd& shortening
 namespace {
 
 void add_force(const Force& part, double t, VectorXd& force) {
-  force += value_of(part.function, t) * part.pattern;
+  linalg::add_scaled(value_of(part.function, t), part.pattern, force);
   for (const auto& field : part.fields)
     load::add_field_force(field, t, force);
 }
@@ -268,12 +269,12 @@ VectorXd external_force(const Model& model, double t, double load_factor) {
     for (const auto& part : model.forces)
       if (part.is_controlled)
         add_force(part, t, controlled);
-    force += load_factor * controlled;
+    linalg::add_scaled(load_factor, controlled, force);
   }
   for (const auto& pull : model.ground) {
-    force += pull.at(t) * pull.stiffness;
+    linalg::add_scaled(pull.at(t), pull.stiffness, force);
     if (pull.damping.size() > 0)
-      force += pull.rate(t) * pull.damping;
+      linalg::add_scaled(pull.rate(t), pull.damping, force);
   }
   return force;
 }
@@ -288,7 +289,7 @@ void add_follower_forces(const Model& model, double t, const VectorXd& u, Vector
     }
     controlled.setZero(force.size());
     load::add_follower_force(follower, u, t, controlled);
-    force += load_factor * controlled;
+    linalg::add_scaled(load_factor, controlled, force);
   }
 }
 
@@ -317,7 +318,7 @@ VectorXd damping_force(const Model& model, const VectorXd& v) {
   VectorXd force =
       model.has_damping ? linalg::product_of(model.damping, v, model.sharing()) : VectorXd::Zero(v.size());
   if (!model.modal_damping.empty())
-    force += model.modal_damping.force(v);
+    linalg::add_scaled(1, model.modal_damping.force(v), force);
   domain::add_beyond_matrix(model.dampers, v, force);
   return force;
 }

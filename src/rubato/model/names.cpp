@@ -5,7 +5,6 @@
 #include "rubato/model/build.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace rubato::model {
 namespace {
@@ -17,7 +16,7 @@ std::string unknown_group(const mesh::Mesh& mesh, const Mention& name) {
   if (!nearest.empty())
     return text + fmt::format("; did you mean '{}'?", nearest);
   return text + (names.empty() ? std::string("; the mesh has no groups")
-                               : fmt::format("; the mesh has the groups {}", fmt::join(names, ", ")));
+                               : fmt::format("; the mesh has the groups {}", joined(names, ", ")));
 }
 
 } // namespace

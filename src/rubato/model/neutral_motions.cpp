@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/model/neutral_motions.hpp"
 
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/linalg/dense_decompositions.hpp"
+#include "rubato/linalg/dense_products.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/model/surface_normals.hpp"
 
@@ -15,7 +17,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-using Eigen::RowVectorXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
@@ -39,8 +40,31 @@ constexpr double off_its_place = 0.3;
 MatrixXd moves_of(const RigidMotions& rigid, std::span<const RigidMotion> motions, const Vector3d& place) {
   MatrixXd moves(3, static_cast<Index>(motions.size()));
   for (std::size_t k = 0; k < motions.size(); ++k)
-    moves.col(static_cast<Index>(k)) = rigid.at(motions[k], place);
+    contact::set_column(static_cast<Index>(k), rigid.at(motions[k], place), moves);
   return moves;
+}
+
+/// nᵀ moves
+VectorXd along_of(const Vector3d& normal, const MatrixXd& moves) {
+  VectorXd along(moves.cols());
+  for (Index k = 0; k < along.size(); ++k)
+    along[k] = normal[0] * moves(0, k) + normal[1] * moves(1, k) + normal[2] * moves(2, k);
+  return along;
+}
+
+/// form += factor · row rowᵀ
+void add_square(double factor, const VectorXd& row, MatrixXd& form) {
+  for (Index j = 0; j < row.size(); ++j)
+    for (Index i = 0; i < row.size(); ++i)
+      form(i, j) += factor * row[i] * row[j];
+}
+
+/// a + factor · b
+MatrixXd sum_of(const MatrixXd& a, double factor, const MatrixXd& b) {
+  MatrixXd sum = a;
+  for (Index k = 0; k < sum.size(); ++k)
+    sum.data()[k] += factor * b.data()[k];
+  return sum;
 }
 
 /// Mean squares over a body's contact surfaces, as forms of its loose motions.
@@ -99,23 +123,26 @@ private:
   void add_faces(const contact::Surface& surface, std::span<const FaceCorner> corners) {
     for (std::size_t i = 0; i < corners.size();) {
       const int face = corners[i].face;
-      RowVectorXd flow = RowVectorXd::Zero(forms_.moved.cols());
+      VectorXd flow = VectorXd::Zero(forms_.moved.cols());
       double area = 0;
       for (; i < corners.size() && corners[i].face == face; ++i) {
-        flow += corners[i].area * corners[i].normal.transpose() * moves_at(surface, corners[i]);
+        const auto along = along_of(corners[i].normal, moves_at(surface, corners[i]));
+        for (Index k = 0; k < flow.size(); ++k)
+          flow[k] += corners[i].area * along[k];
         area += corners[i].area;
       }
-      forms_.one_sided += flow.transpose() * flow / area;
+      add_square(1 / area, flow, forms_.one_sided);
     }
   }
 
   void add_corner(const contact::Surface& surface, const FaceCorner& corner, const Vector3d& average) {
     const MatrixXd moves = moves_at(surface, corner);
-    const RowVectorXd along_average = average.transpose() * moves;
-    const RowVectorXd along_normal = corner.normal.transpose() * moves;
-    forms_.averaged += corner.area * along_average.transpose() * along_average;
-    forms_.faceted += corner.area * along_normal.transpose() * along_normal;
-    forms_.moved += corner.area * moves.transpose() * moves;
+    add_square(corner.area, along_of(average, moves), forms_.averaged);
+    add_square(corner.area, along_of(corner.normal, moves), forms_.faceted);
+    for (Index j = 0; j < moves.cols(); ++j)
+      for (Index i = 0; i < moves.cols(); ++i)
+        forms_.moved(i, j) +=
+            corner.area * (moves(0, i) * moves(0, j) + moves(1, i) * moves(1, j) + moves(2, i) * moves(2, j));
   }
 
   const Model& model_;
@@ -130,13 +157,19 @@ MatrixXd with_quotient(const MatrixXd& a, const MatrixXd& b, const MatrixXd& sub
                        double high) {
   if (subspace.cols() == 0)
     return subspace;
-  const auto [values, vectors] =
-      linalg::generalized_eigen(subspace.transpose() * a * subspace, subspace.transpose() * b * subspace);
+  const auto within = [&](const MatrixXd& form) {
+    return linalg::product(linalg::transposed_product(subspace, form), subspace);
+  };
+  const auto [values, vectors] = linalg::generalized_eigen(within(a), within(b));
   std::vector<Index> chosen;
   for (Index i = 0; i < values.size(); ++i)
     if (values[i] >= low && values[i] <= high)
       chosen.push_back(i);
-  return subspace * vectors(Eigen::all, chosen);
+  MatrixXd wanted(vectors.rows(), static_cast<Index>(chosen.size()));
+  for (std::size_t k = 0; k < chosen.size(); ++k)
+    std::copy_n(&vectors(0, chosen[k]), vectors.rows(),
+                wanted.data() + static_cast<Index>(k) * wanted.rows());
+  return linalg::product(subspace, wanted);
 }
 
 constexpr double square(double value) {
@@ -155,8 +188,8 @@ MatrixXd resisted_by_facets(const Forms& forms) {
   if (!tells_motions_apart(forms.moved))
     return MatrixXd(count, 0);
   const double part = square(carried_into_itself);
-  const MatrixXd along = forms.averaged + part / square(one_sided) * forms.one_sided;
-  const MatrixXd allowed = forms.faceted + square(square(not_resisted)) * forms.moved;
+  const MatrixXd along = sum_of(forms.averaged, part / square(one_sided), forms.one_sided);
+  const MatrixXd allowed = sum_of(forms.faceted, square(square(not_resisted)), forms.moved);
   const MatrixXd smooth = with_quotient(along, allowed, MatrixXd::Identity(count, count), -part, part);
   return with_quotient(forms.faceted, forms.moved, smooth, square(not_resisted), square(coarsest));
 }
@@ -175,11 +208,17 @@ Work work_of(const Model& model, const RigidMotions& rigid, std::span<const Rigi
     if (rigid.bodies().of(node) != motions.front().body)
       continue;
     Vector3d push = Vector3d::Zero();
-    push.head(components) = force.segment(model.dofs.dof(node, 0), components);
-    const MatrixXd moves =
-        moves_of(rigid, motions, model.mesh.points[static_cast<std::size_t>(node)]) * coefficients;
-    work.done += moves.transpose() * push;
-    work.most += push.norm() * moves.norm();
+    for (int a = 0; a < components; ++a)
+      push[a] = force[model.dofs.dof(node, 0) + a];
+    const auto moves = linalg::product(
+        moves_of(rigid, motions, model.mesh.points[static_cast<std::size_t>(node)]), coefficients);
+    const auto done = along_of(push, moves);
+    double moved = 0;
+    for (Index k = 0; k < moves.size(); ++k)
+      moved += moves.data()[k] * moves.data()[k];
+    for (Index k = 0; k < done.size(); ++k)
+      work.done[k] += done[k];
+    work.most += contact::length_of(push) * std::sqrt(moved);
   }
   return work;
 }
@@ -213,11 +252,16 @@ MatrixXd without_work(const Model& model, const RigidMotions& rigid, std::span<c
     if (coefficients.cols() == 0)
       return coefficients;
     const auto [done, most] = work_of(model, rigid, motions, coefficients, pattern);
-    const double facets = (coefficients.transpose() * faceted * coefficients).diagonal().maxCoeff();
+    const auto forms = linalg::product(linalg::transposed_product(coefficients, faceted), coefficients);
+    double facets = forms(0, 0);
+    for (Index k = 1; k < forms.cols(); ++k)
+      facets = std::max(facets, forms(k, k));
     if (done.norm() <= off_its_place * facets * most)
       continue;
     const MatrixXd directions = linalg::orthogonal_factor(done);
-    coefficients = coefficients * directions.rightCols(coefficients.cols() - 1);
+    MatrixXd others(directions.rows(), coefficients.cols() - 1);
+    std::copy_n(directions.data() + directions.size() - others.size(), others.size(), others.data());
+    coefficients = linalg::product(coefficients, others);
   }
   return coefficients;
 }
@@ -246,17 +290,17 @@ bool is_pulled_when_shifted(const Model& model, const RigidMotions& rigid, const
     shift.shift[axis] = 1;
     const double across = spring_form(model, rigid, shift, shift);
     const double both = spring_form(model, rigid, motion, shift);
-    if (both * both > square(off_its_place) * along * across && motion.turn.norm() > 0)
+    if (both * both > square(off_its_place) * along * across && contact::length_of(motion.turn) > 0)
       return true;
   }
   return false;
 }
 
-RigidMotion combined(std::span<const RigidMotion> motions, const VectorXd& coefficients) {
+RigidMotion combined(std::span<const RigidMotion> motions, const double* coefficients) {
   RigidMotion sum{.body = motions.front().body};
   for (std::size_t k = 0; k < motions.size(); ++k) {
-    sum.shift += coefficients[static_cast<Index>(k)] * motions[k].shift;
-    sum.turn += coefficients[static_cast<Index>(k)] * motions[k].turn;
+    contact::add_scaled(coefficients[k], motions[k].shift, sum.shift);
+    contact::add_scaled(coefficients[k], motions[k].turn, sum.turn);
   }
   return sum;
 }
@@ -293,7 +337,7 @@ std::vector<RigidMotion> neutral_of(const Model& model, const RigidMotions& rigi
   const MatrixXd found = without_work(model, rigid, motions, forms.faceted, resisted_by_facets(forms));
   std::vector<RigidMotion> neutral;
   for (Index k = 0; k < found.cols(); ++k)
-    neutral.push_back(combined(motions, found.col(k)));
+    neutral.push_back(combined(motions, &found(0, k)));
   auto apart = rigid.told_apart(neutral);
   std::erase_if(apart, [&](const auto& motion) { return is_pulled_when_shifted(model, rigid, motion); });
   return apart;

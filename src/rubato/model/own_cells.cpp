@@ -151,7 +151,12 @@ OwnCells own_cells(const Model& model) {
 }
 
 Eigen::VectorXd counted_once(const Model& model, Eigen::VectorXd values) {
-  return model.parts ? values.cwiseProduct(model.parts->owned()) : std::move(values);
+  if (model.parts) {
+    const auto& owned = model.parts->owned();
+    for (Eigen::Index i = 0; i < values.size(); ++i)
+      values[i] *= owned[i];
+  }
+  return values;
 }
 
 } // namespace rubato::model

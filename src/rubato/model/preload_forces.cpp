@@ -8,13 +8,13 @@
 namespace rubato::model {
 namespace {
 
-/// −n·(u_t − u_o) of the first pair, as a row over the dofs.
-Eigen::VectorXd shortening_row(const PreloadedCut& cut, const domain::DofMap& dofs) {
+/// −n·(u_t − u_o) of the first pair, as a row over the dofs, times a factor.
+Eigen::VectorXd shortening_row(const PreloadedCut& cut, const domain::DofMap& dofs, double factor = 1) {
   Eigen::VectorXd row = Eigen::VectorXd::Zero(dofs.dof_count);
   const auto& pair = cut.pairs.front();
   for (int i = 0; i < dofs.components; ++i) {
-    row[dofs.dof(pair.in_front, i)] = -cut.normal[i];
-    row[dofs.dof(pair.behind, i)] = cut.normal[i];
+    row[dofs.dof(pair.in_front, i)] = -factor * cut.normal[i];
+    row[dofs.dof(pair.behind, i)] = factor * cut.normal[i];
   }
   return row;
 }
@@ -35,7 +35,7 @@ void add_preload_forces(Model& model, const Stage& stage) {
     const auto& preload = model.study.preload[i];
     if (!preload.by_force || is_locked(preload, stage))
       continue;
-    model.forces.push_back({preload.value.value * shortening_row(model.preloads[i], model.dofs),
+    model.forces.push_back({shortening_row(model.preloads[i], model.dofs, preload.value.value),
                             function_named(model.study, preload.value.function),
                             {}});
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/model/preloads.hpp"
 
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/mesh/names.hpp"
 #include "rubato/model/build.hpp"
 #include "rubato/model/embedding.hpp"
@@ -31,8 +32,10 @@ Vector3d centre_of_cell(const mesh::Mesh& mesh, CellIndex cell) {
   const auto nodes = mesh.nodes_of(cell);
   Vector3d sum = Vector3d::Zero();
   for (const auto node : nodes)
-    sum += mesh.points[static_cast<std::size_t>(node)];
-  return sum / static_cast<double>(nodes.size());
+    contact::add_scaled(1, mesh.points[static_cast<std::size_t>(node)], sum);
+  for (auto& value : sum)
+    value /= static_cast<double>(nodes.size());
+  return sum;
 }
 
 bool fills_space(const mesh::Mesh& mesh, CellIndex cell) {
@@ -72,7 +75,7 @@ public:
 
   PreloadedCut split() {
     PreloadedCut cut;
-    cut.normal = as_vector(preload_.cut.normal).normalized();
+    cut.normal = contact::unit_of(as_vector(preload_.cut.normal));
     const auto cells = host_cells(mesh_, mesh_.dimension, {preload_.cut.cells, path_ + ".cells"}, faults_);
     if (cells.empty())
       return cut;
@@ -163,11 +166,12 @@ private:
 
 std::vector<char> behind_plane(const mesh::Mesh& mesh, std::span<const CellIndex> cells,
                                const study::Cut& plane) {
-  const Vector3d normal = as_vector(plane.normal).normalized();
+  const Vector3d normal = contact::unit_of(as_vector(plane.normal));
   std::vector<double> distances;
   double farthest = 0;
   for (const auto cell : cells) {
-    distances.push_back(normal.dot(centre_of_cell(mesh, cell) - as_vector(plane.point)));
+    distances.push_back(
+        contact::dot(normal, contact::difference_of(centre_of_cell(mesh, cell), as_vector(plane.point))));
     farthest = std::max(farthest, std::abs(distances.back()));
   }
   std::vector<char> behind;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/cell/shape_table.hpp"
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/model/build.hpp"
 
 #include <fmt/format.h>
@@ -57,9 +58,11 @@ private:
     for (std::size_t i = 0; i < bulk_.cells.size(); ++i) {
       const domain::CellPoints nodes(mesh_, mesh_.nodes_of(bulk_.cells[i]));
       const auto points = element::places(cell::stiffness_table(mesh_.type_of(bulk_.cells[i])), nodes);
-      const Eigen::VectorXd distances = (points.colwise() - place).colwise().squaredNorm();
+      std::vector<double> distances;
+      for (Eigen::Index q = 0; q < points.cols(); ++q)
+        distances.push_back(squared_distance(contact::column_of(points, q), place));
       const double same = same_square * size_of(nodes);
-      for (Eigen::Index q = 0; q < distances.size(); ++q) {
+      for (std::size_t q = 0; q < distances.size(); ++q) {
         equally_near =
             distances[q] < least - same ? 1 : equally_near + (distances[q] <= least + same ? 1 : 0);
         if (distances[q] >= least - same)
@@ -75,11 +78,16 @@ private:
     return found;
   }
 
+  static double squared_distance(const Vector3d& a, const Vector3d& b) {
+    const auto apart = contact::difference_of(a, b);
+    return contact::dot(apart, apart);
+  }
+
   /// Square of the largest distance from its first node.
   static double size_of(std::span<const Vector3d> nodes) {
     double size = 0;
     for (const auto& node : nodes)
-      size = std::max(size, (node - nodes.front()).squaredNorm());
+      size = std::max(size, squared_distance(node, nodes.front()));
     return size;
   }
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/core/naming.hpp"
 #include "rubato/mesh/names.hpp"
 #include "rubato/model/build.hpp"
 #include "rubato/model/model.hpp"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -25,17 +24,24 @@ constexpr double same_distance = 1e-6;
 constexpr std::size_t named_nodes = 5;
 
 double size_of(const mesh::Mesh& mesh, const domain::DofMap& dofs) {
-  Eigen::AlignedBox3d box;
-  for (const auto node : dofs.nodes)
-    box.extend(mesh.points[static_cast<std::size_t>(node)]);
-  return box.diagonal().norm();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Eigen::Vector3d low(infinity, infinity, infinity);
+  Eigen::Vector3d high(-infinity, -infinity, -infinity);
+  for (const auto node : dofs.nodes) {
+    const auto& place = mesh.points[static_cast<std::size_t>(node)];
+    for (Eigen::Index i = 0; i < place.size(); ++i) {
+      low[i] = std::min(low[i], place[i]);
+      high[i] = std::max(high[i], place[i]);
+    }
+  }
+  return contact::length_of(contact::difference_of(high, low));
 }
 
 /// The nodes that no other one is nearer than.
 Nodes nearest_nodes(const mesh::Mesh& mesh, const domain::DofMap& dofs, const std::array<double, 3>& point) {
   const Eigen::Vector3d x(point[0], point[1], point[2]);
   const auto distance = [&](NodeIndex node) {
-    return (mesh.points[static_cast<std::size_t>(node)] - x).norm();
+    return contact::length_of(contact::difference_of(mesh.points[static_cast<std::size_t>(node)], x));
   };
   double least = std::numeric_limits<double>::infinity();
   for (const auto node : dofs.nodes)
@@ -56,7 +62,7 @@ std::string ambiguity(const study::Probe& probe, const mesh::Mesh& mesh, const N
   return fmt::format(
       "probe '{}': {} nodes are equally near to its point, {}{}; {} is taken, 'node: {}' instead "
       "of the point, or another one of them, says which is meant",
-      probe.name, nodes.size(), fmt::join(labels, ", "), more, mesh::node_name(mesh, taken),
+      probe.name, nodes.size(), joined(labels, ", "), more, mesh::node_name(mesh, taken),
       mesh::node_name(mesh, taken));
 }
 
@@ -66,7 +72,8 @@ Nodes node_at(const study::Probe& probe, const mesh::Mesh& mesh, const domain::D
   const auto nodes = nearest_nodes(mesh, dofs, *probe.point);
   const Eigen::Vector3d x(probe.point->at(0), probe.point->at(1), probe.point->at(2));
   const auto taken = *std::ranges::min_element(nodes, {}, [&](NodeIndex node) {
-    return (mesh.points[static_cast<std::size_t>(node)] - x).squaredNorm();
+    const auto apart = contact::difference_of(mesh.points[static_cast<std::size_t>(node)], x);
+    return contact::dot(apart, apart);
   });
   if (nodes.size() > 1)
     notes.push_back(ambiguity(probe, mesh, nodes, taken));

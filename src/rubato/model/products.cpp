@@ -17,8 +17,13 @@ Products::Products(const Eigen::SparseMatrix<double, Eigen::ColMajor, int>& mass
 Eigen::VectorXd Products::mass(const Eigen::VectorXd& a) const {
   auto product =
       linalg::summed(mass_ ? Eigen::VectorXd(*mass_ * a) : Eigen::VectorXd::Zero(a.size()), ranks_);
-  for (const auto& [dofs, coefficients, mass] : attached_)
-    product(dofs) += mass * coefficients.dot(a(dofs)) * coefficients;
+  for (const auto& [dofs, coefficients, mass] : attached_) {
+    double sum = 0;
+    for (std::size_t i = 0; i < dofs.size(); ++i)
+      sum += coefficients[static_cast<Eigen::Index>(i)] * a[dofs[i]];
+    for (std::size_t i = 0; i < dofs.size(); ++i)
+      product[dofs[i]] += mass * sum * coefficients[static_cast<Eigen::Index>(i)];
+  }
   return product;
 }
 

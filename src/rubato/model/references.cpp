@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/model/references.hpp"
 
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/linalg/dense_decompositions.hpp"
+#include "rubato/linalg/dense_products.hpp"
 #include "rubato/mesh/names.hpp"
 #include "rubato/model/build.hpp"
 #include "rubato/model/embedding.hpp"
 #include "rubato/study/words.hpp"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,18 +29,34 @@ Index rotations_of(int components) {
   return components == 3 ? 3 : 1;
 }
 
+/// matrix += factor · v vᵀ
+void add_square(double factor, const double* v, MatrixXd& matrix) {
+  for (Index j = 0; j < matrix.cols(); ++j)
+    for (Index i = 0; i < matrix.rows(); ++i)
+      matrix(i, j) += v[i] * factor * v[j];
+}
+
 /// (RᵀR)⁺ Rᵀ, rotations per radian.
 void fit(const mesh::Mesh& mesh, int components, Reference& reference) {
   const MatrixXd rigid = rigid_motions_of(reference, mesh, components);
-  const auto [values, vectors] = linalg::symmetric_eigen(MatrixXd(rigid.transpose() * rigid));
+  const auto [values, vectors] = linalg::symmetric_eigen(linalg::transposed_product(rigid, rigid));
   const double least = told_rotation * values[values.size() - 1];
-  Eigen::VectorXd inverse = Eigen::VectorXd::Zero(values.size());
-  for (Index k = 0; k < values.size(); ++k)
+  MatrixXd inverse = MatrixXd::Zero(values.size(), values.size());
+  reference.turns = true;
+  for (Index k = 0; k < values.size(); ++k) {
+    reference.turns = reference.turns && values[k] > least;
     if (values[k] > least)
-      inverse[k] = 1 / values[k];
-  reference.turns = (values.array() > least).all();
-  reference.motion = vectors * inverse.asDiagonal() * vectors.transpose() * rigid.transpose();
-  reference.motion.bottomRows(rotations_of(components)) /= reference.size;
+      add_square(1 / values[k], &vectors(0, k), inverse);
+  }
+  reference.motion = MatrixXd::Zero(values.size(), rigid.rows());
+  for (Index d = 0; d < rigid.rows(); ++d)
+    for (Index i = 0; i < values.size(); ++i) {
+      double& moved = reference.motion(i, d);
+      for (Index k = 0; k < values.size(); ++k)
+        moved += inverse(i, k) * rigid(d, k);
+      if (i >= components)
+        moved /= reference.size;
+    }
 }
 
 std::vector<int> dofs_of(std::span<const mesh::NodeIndex> nodes, const domain::DofMap& dofs) {
@@ -50,10 +67,14 @@ std::vector<int> dofs_of(std::span<const mesh::NodeIndex> nodes, const domain::D
   return all;
 }
 
+double distance(const Vector3d& a, const Vector3d& b) {
+  return contact::length_of(contact::difference_of(a, b));
+}
+
 double size_of(const mesh::Mesh& mesh, const Reference& reference) {
   double size = 0;
   for (const auto node : reference.nodes)
-    size = std::max(size, (mesh.points[static_cast<std::size_t>(node)] - reference.place).norm());
+    size = std::max(size, distance(mesh.points[static_cast<std::size_t>(node)], reference.place));
   return size > 0 ? size : 1;
 }
 
@@ -91,21 +112,29 @@ std::optional<Reference> embedded_reference(const study::Relation& relation, con
 Vector3d mean_place(const mesh::Mesh& mesh, std::span<const mesh::NodeIndex> nodes) {
   Vector3d sum = Vector3d::Zero();
   for (const auto node : nodes)
-    sum += mesh.points[static_cast<std::size_t>(node)];
-  return sum / static_cast<double>(nodes.size());
+    contact::add_scaled(1, mesh.points[static_cast<std::size_t>(node)], sum);
+  for (auto& value : sum)
+    value /= static_cast<double>(nodes.size());
+  return sum;
 }
 
 MatrixXd rigid_motions_of(const Reference& reference, const mesh::Mesh& mesh, int components) {
   const Index rotations = rotations_of(components);
-  MatrixXd rigid(static_cast<Index>(reference.dofs.size()), components + rotations);
+  MatrixXd rigid = MatrixXd::Zero(static_cast<Index>(reference.dofs.size()), components + rotations);
   for (std::size_t n = 0; n < reference.nodes.size(); ++n) {
-    const Vector3d arm =
-        (mesh.points[static_cast<std::size_t>(reference.nodes[n])] - reference.place) / reference.size;
-    auto rows = rigid.middleRows(static_cast<Index>(n) * components, components);
-    rows.leftCols(components).setIdentity();
+    Vector3d arm =
+        contact::difference_of(mesh.points[static_cast<std::size_t>(reference.nodes[n])], reference.place);
+    for (auto& value : arm)
+      value /= reference.size;
+    const Index row = static_cast<Index>(n) * components;
+    for (Index a = 0; a < components; ++a)
+      rigid(row + a, a) = 1;
     for (Index k = 0; k < rotations; ++k) {
-      const Vector3d axis = Vector3d::Unit(components == 3 ? k : 2);
-      rows.col(components + k) = axis.cross(arm).head(components);
+      Vector3d axis = Vector3d::Zero();
+      axis[components == 3 ? k : 2] = 1;
+      const auto turned = contact::cross(axis, arm);
+      for (Index a = 0; a < components; ++a)
+        rigid(row + a, components + k) = turned[a];
     }
   }
   return rigid;

@@ -4,21 +4,22 @@
 #include "rubato/cell/quadrature.hpp"
 #include "rubato/cell/reference_nodes.hpp"
 #include "rubato/cell/shape_table.hpp"
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/core/time_integral.hpp"
+#include "rubato/linalg/pivoted_qr.hpp"
 #include "rubato/mesh/skin.hpp"
 #include "rubato/model/embedding.hpp"
 #include "rubato/model/node_label.hpp"
 #include "rubato/study/fields.hpp"
 #include "rubato/study/words.hpp"
 
-#include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <span>
 
 namespace rubato::model {
 namespace {
@@ -33,6 +34,8 @@ using mesh::NodeIndex;
 
 /// Coefficients below this part of the largest are rounding.
 constexpr double coefficient_rounding = 1e-13;
+/// Pivots of rigid motions below this part of the largest are rounding.
+constexpr double rank_tolerance_of_motions = 1e-10;
 /// Normals of faces that meet at a node are averaged up to this cosine of their angle: beyond it, at an edge,
 /// the node is held along each.
 const double same_face = std::cos(30 * std::acos(-1.0) / 180);
@@ -64,17 +67,15 @@ std::vector<Vector3d> node_normals(const mesh::Mesh& mesh, const mesh::SurfaceFa
   std::vector<Vector3d> normals;
   for (std::size_t q = 0; q < at.size(); ++q) {
     Vector3d first = Vector3d::Zero();
-    Vector3d second = Vector3d::UnitZ();
-    if (!edge)
-      second.setZero();
+    Vector3d second(0, 0, edge ? 1 : 0);
     for (std::size_t n = 0; n < nodes.size(); ++n) {
       const auto& x = mesh.points[static_cast<std::size_t>(nodes[n])];
       const auto row = static_cast<Index>(n) * (edge ? 1 : 2);
-      first += table.gradients(row, static_cast<Index>(q)) * x;
+      contact::add_scaled(table.gradients(row, static_cast<Index>(q)), x, first);
       if (!edge)
-        second += table.gradients(row + 1, static_cast<Index>(q)) * x;
+        contact::add_scaled(table.gradients(row + 1, static_cast<Index>(q)), x, second);
     }
-    normals.push_back(first.cross(second).normalized());
+    normals.push_back(contact::unit_of(contact::cross(first, second)));
   }
   return normals;
 }
@@ -94,17 +95,18 @@ std::map<NodeIndex, std::vector<Vector3d>> normals_of(const Parts& parts, const 
     const auto normals = node_normals(parts.mesh, face);
     for (std::size_t n = 0; n < normals.size(); ++n) {
       auto& known = sums[face.nodes()[n]];
-      const auto near = std::ranges::find_if(
-          known, [&](const Vector3d& sum) { return sum.normalized().dot(normals[n]) > same_face; });
+      const auto near = std::ranges::find_if(known, [&](const Vector3d& sum) {
+        return contact::dot(contact::unit_of(sum), normals[n]) > same_face;
+      });
       if (near == known.end())
         known.push_back(normals[n]);
       else
-        *near += normals[n];
+        contact::add_scaled(1, normals[n], *near);
     }
   }
   for (auto& [node, directions] : sums)
     for (auto& direction : directions)
-      direction.normalize();
+      direction = contact::unit_of(direction);
   return sums;
 }
 
@@ -117,7 +119,7 @@ std::map<NodeIndex, std::vector<Vector3d>> directions_of(const Parts& parts, con
   const auto& d = support.along->direction;
   std::map<NodeIndex, std::vector<Vector3d>> directions;
   for (const auto node : body_nodes_or_fault(parts.mesh, parts.dofs, on, "to hold", faults))
-    directions[node] = {Vector3d(d[0], d[1], d[2]).normalized()};
+    directions[node] = {contact::unit_of({d[0], d[1], d[2]})};
   return directions;
 }
 
@@ -207,13 +209,16 @@ private:
                                                 relation_.with, others.size(), relation_.on, nodes.size())));
     const auto from = source(path_);
     const Vector3d middle = mean_place(parts_.mesh, nodes);
-    const Vector3d shift = mean_place(parts_.mesh, others) - middle;
+    const Vector3d shift = contact::difference_of(mean_place(parts_.mesh, others), middle);
     const auto fields = differences();
     double size = 0;
     for (const auto node : nodes)
-      size = std::max(size, (place(node) - middle).norm());
+      size = std::max(size, contact::length_of(contact::difference_of(place(node), middle)));
     for (const auto node : nodes) {
-      const auto distance = [&](NodeIndex other) { return (place(node) + shift - place(other)).norm(); };
+      const auto shifted = contact::sum_of(place(node), shift);
+      const auto distance = [&](NodeIndex other) {
+        return contact::length_of(contact::difference_of(shifted, place(other)));
+      };
       const auto partner = *std::ranges::min_element(others, {}, distance);
       if (distance(partner) > partner_tolerance * size)
         return faults_.push_back(fault_at(
@@ -284,18 +289,20 @@ private:
     if (reference == nullptr)
       return;
     const MatrixXd rigid = rigid_motions_of(*reference, parts_.mesh, parts_.dofs.components);
-    Eigen::ColPivHouseholderQR<MatrixXd> qr(rigid.transpose());
-    qr.setThreshold(1e-10);
-    const Index rank = qr.rank();
-    const auto& order = qr.colsPermutation().indices();
-    MatrixXd chosen(rank, rigid.cols());
+    MatrixXd of_dofs(rigid.cols(), rigid.rows());
+    for (Index d = 0; d < rigid.rows(); ++d)
+      for (Index k = 0; k < rigid.cols(); ++k)
+        of_dofs(k, d) = rigid(d, k);
+    const auto order = linalg::PivotedQr(of_dofs).independent_columns(rank_tolerance_of_motions);
+    const auto rank = static_cast<Index>(order.size());
+    MatrixXd chosen(rigid.cols(), rank);
     std::vector<char> is_chosen(reference->dofs.size(), 0);
     for (Index k = 0; k < rank; ++k) {
-      chosen.row(k) = rigid.row(order[k]);
-      is_chosen[static_cast<std::size_t>(order[k])] = 1;
+      const auto dof = order[static_cast<std::size_t>(k)];
+      std::copy_n(&of_dofs(0, static_cast<Index>(dof)), rigid.cols(), &chosen(0, k));
+      is_chosen[dof] = 1;
     }
-    const MatrixXd by_chosen =
-        MatrixXd(chosen.transpose()).colPivHouseholderQr().solve(MatrixXd(rigid.transpose()));
+    const auto by_chosen = linalg::PivotedQr(std::move(chosen)).solve(of_dofs);
     const auto from = source(path_);
     for (std::size_t d = 0; d < reference->dofs.size(); ++d) {
       if (is_chosen[d] != 0)
@@ -303,7 +310,7 @@ private:
       std::vector<Term> terms{{reference->dofs[d], 1}};
       for (Index k = 0; k < rank; ++k)
         if (const double c = by_chosen(k, static_cast<Index>(d)); std::abs(c) > coefficient_rounding)
-          terms.push_back({reference->dofs[static_cast<std::size_t>(order[k])], -c});
+          terms.push_back({reference->dofs[order[static_cast<std::size_t>(k)]], -c});
       enter({std::move(terms), {}, static_cast<int>(from)});
     }
   }
@@ -325,8 +332,8 @@ bool moves(const FieldFunction& field) {
 std::vector<Vector3d> tangents_of(const Vector3d& normal, int components) {
   if (components == 2)
     return {Vector3d(-normal[1], normal[0], 0)};
-  const Vector3d one = normal.unitOrthogonal();
-  return {one, normal.cross(one)};
+  const Vector3d one = contact::unit_across(normal);
+  return {one, contact::cross(normal, one)};
 }
 
 } // namespace
@@ -380,27 +387,35 @@ void add_held_reference(const Parts& parts, const study::Support& support, const
                         Equations& equations) {
   const auto& reference = *reference_named(parts.references, support.on);
   const int components = parts.dofs.components;
-  const auto enter = [&](const Eigen::RowVectorXd& row, const study::Field& wanted, const std::string& at) {
+  const auto enter = [&](const std::vector<double>& row, const study::Field& wanted, const std::string& at) {
     std::vector<Term> terms;
     for (std::size_t d = 0; d < reference.dofs.size(); ++d)
-      terms.push_back({reference.dofs[d], row[static_cast<Index>(d)]});
+      terms.push_back({reference.dofs[d], row[d]});
     equations.paths.push_back(at);
     equations.list.push_back(equation_of(std::move(terms),
                                          imposed_at(parts, reference.place, shared_field(parts, wanted, at)),
                                          equations.paths.size() - 1));
   };
+  /// Σ weight · row of the motion
+  const auto row_of = [&](std::span<const double> weights, Index first) {
+    std::vector<double> row(reference.dofs.size(), 0.0);
+    for (std::size_t d = 0; d < row.size(); ++d)
+      for (std::size_t i = 0; i < weights.size(); ++i)
+        row[d] += weights[i] * reference.motion(first + static_cast<Index>(i), static_cast<Index>(d));
+    return row;
+  };
+  constexpr std::array whole{1.0};
   for (int i = 0; i < components; ++i)
     if (const auto& wanted = support.components.at(static_cast<std::size_t>(i)))
-      enter(reference.motion.row(i), *wanted, fmt::format("{}.{}", path, "xyz"[i]));
+      enter(row_of(whole, i), *wanted, fmt::format("{}.{}", path, "xyz"[i]));
   for (int i = 0; i < 3; ++i)
     if (const auto& wanted = support.turns.at(static_cast<std::size_t>(i)))
-      enter(reference.motion.row(components == 3 ? components + i : components), *wanted,
+      enter(row_of(whole, components == 3 ? components + i : components), *wanted,
             fmt::format("{}.turn.{}", path, "xyz"[i]));
   if (const auto& along = support.along) {
     Vector3d direction(along->direction[0], along->direction[1], along->direction[2]);
-    direction.normalize();
-    enter(direction.head(components).transpose() * reference.motion.topRows(components), along->value,
-          path + ".value");
+    direction = contact::unit_of(direction);
+    enter(row_of({direction.data(), static_cast<std::size_t>(components)}, 0), along->value, path + ".value");
   }
 }
 
@@ -426,15 +441,15 @@ void add_preload(const Parts& parts, const study::Preload& preload, const Preloa
                                  {parts.dofs.dof(first.behind, i), 1}},
                                 {},
                                 static_cast<int>(source)});
+  const auto backwards = contact::scaled(-1, cut.normal);
   const auto across = tangents_of(cut.normal, components);
   for (const auto& tangent : across)
     equations.list.push_back(equation_of(jump(tangent), {}, source));
   if (locked)
-    equations.list.push_back(equation_of(jump(-cut.normal), {*locked, std::nullopt}, source));
+    equations.list.push_back(equation_of(jump(backwards), {*locked, std::nullopt}, source));
   else if (!preload.by_force)
-    equations.list.push_back(
-        equation_of(jump(-cut.normal),
-                    {preload.value.value, function_named(parts.study, preload.value.function)}, source));
+    equations.list.push_back(equation_of(
+        jump(backwards), {preload.value.value, function_named(parts.study, preload.value.function)}, source));
 }
 
 void add_relation(const Parts& parts, const study::Relation& relation, Equations& equations,

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/core/naming.hpp"
 #include "rubato/mesh/names.hpp"
 #include "rubato/model/build.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/model/rigid_motions.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -48,7 +48,7 @@ void check_supported(const Model& model, std::vector<Fault>& faults) {
       fmt::format("{} is not held: it can move as a rigid body {}, and a static run has no inertia; "
                   "expected supports, springs, or contact with something that is held (frictionless contact "
                   "holds across the surface only)",
-                  body_text(model, motions.bodies(), loose.front().body), fmt::join(directions, ", "))));
+                  body_text(model, motions.bodies(), loose.front().body), joined(directions, ", "))));
 }
 
 } // namespace rubato::model

@@ -2,20 +2,22 @@
 #include "rubato/model/rigid_motions.hpp"
 
 #include "rubato/contact/kinematics.hpp"
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/linalg/dense_decompositions.hpp"
+#include "rubato/linalg/dense_products.hpp"
 #include "rubato/model/model.hpp"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace rubato::model {
 namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-using Eigen::RowVectorXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 using mesh::NodeIndex;
@@ -33,20 +35,64 @@ Index mode_count(const Model& model) {
   return model.dofs.components == 3 ? 6 : 3;
 }
 
+Index count_above(const VectorXd& values, double limit) {
+  return std::count_if(values.begin(), values.end(), [limit](double value) { return value > limit; });
+}
+
+Index count_up_to(const VectorXd& values, double limit) {
+  return std::count_if(values.begin(), values.end(), [limit](double value) { return value <= limit; });
+}
+
 /// What resists a body's own motions alone.
-int rank_of(const MatrixXd& gram) {
+Index rank_of(const MatrixXd& gram) {
   const auto values = linalg::symmetric_eigenvalues(gram);
   const double largest = values[values.size() - 1];
-  return largest > 0 ? static_cast<int>((values.array() > rank_tolerance * largest).count()) : 0;
+  return largest > 0 ? count_above(values, rank_tolerance * largest) : 0;
+}
+
+/// Some rows of some columns, both from the given ones on.
+MatrixXd part_of(const MatrixXd& matrix, Index row, Index rows, Index column, Index columns) {
+  MatrixXd part(rows, columns);
+  for (Index j = 0; j < columns; ++j)
+    for (Index i = 0; i < rows; ++i)
+      part(i, j) = matrix(row + i, column + j);
+  return part;
+}
+
+/// Root of the sum of the squares of some rows.
+double size_of_rows(const MatrixXd& matrix, Index first, Index rows) {
+  double sum = 0;
+  for (Index j = 0; j < matrix.cols(); ++j)
+    for (Index i = 0; i < rows; ++i)
+      sum += matrix(first + i, j) * matrix(first + i, j);
+  return std::sqrt(sum);
+}
+
+double largest_magnitude(const MatrixXd& matrix) {
+  double largest = 0;
+  for (Index k = 0; k < matrix.size(); ++k)
+    largest = std::max(largest, std::abs(matrix.data()[k]));
+  return largest;
+}
+
+/// The column from `first` on whose entry in a row is largest.
+Index pivot_column(const MatrixXd& columns, Index row, Index first) {
+  Index pivot = first;
+  for (Index k = first + 1; k < columns.cols(); ++k)
+    if (std::abs(columns(row, k)) > std::abs(columns(row, pivot)))
+      pivot = k;
+  return pivot;
 }
 
 /// "x", or "(0.6, 0.8, 0)", with the largest component positive.
 std::string axis_text(Vector3d axis) {
   Index largest = 0;
-  axis.normalize();
-  axis.cwiseAbs().maxCoeff(&largest);
+  axis = contact::unit_of(axis);
+  for (Index i = 1; i < axis.size(); ++i)
+    if (std::abs(axis[i]) > std::abs(axis[largest]))
+      largest = i;
   if (axis[largest] < 0)
-    axis = -axis;
+    axis = Vector3d(-axis[0], -axis[1], -axis[2]);
   for (auto& value : axis)
     if (std::abs(value) < negligible)
       value = 0;
@@ -57,28 +103,38 @@ std::string axis_text(Vector3d axis) {
 
 /// Independent motions that span the columns, turns told apart first: what is left then are shifts.
 std::vector<VectorXd> columns_told_apart(MatrixXd columns) {
-  std::vector<VectorXd> motions;
-  const double scale = columns.cwiseAbs().maxCoeff();
-  for (Index row = columns.rows() - 1; row >= 0; --row) {
-    const auto done = static_cast<Index>(motions.size());
-    Index pivot = 0;
-    const auto candidates = columns.row(row).tail(columns.cols() - done);
-    if (candidates.size() == 0 || candidates.cwiseAbs().maxCoeff(&pivot) <= negligible * scale)
+  const double scale = largest_magnitude(columns);
+  const Index rows = columns.rows();
+  Index done = 0;
+  for (Index row = rows - 1; row >= 0 && done < columns.cols(); --row) {
+    const Index pivot = pivot_column(columns, row, done);
+    if (std::abs(columns(row, pivot)) <= negligible * scale)
       continue;
-    columns.col(done).swap(columns.col(done + pivot));
-    columns.col(done) /= columns(row, done);
-    for (Index other = 0; other < columns.cols(); ++other)
-      if (other != done)
-        columns.col(other) -= columns(row, other) * columns.col(done).eval();
-    motions.emplace_back();
+    double* own = &columns(0, done);
+    if (pivot != done)
+      std::swap_ranges(own, own + rows, &columns(0, pivot));
+    const double divisor = own[row];
+    for (Index i = 0; i < rows; ++i)
+      own[i] /= divisor;
+    for (Index other = 0; other < columns.cols(); ++other) {
+      if (other == done)
+        continue;
+      const double factor = columns(row, other);
+      for (Index i = 0; i < rows; ++i)
+        columns(i, other) -= factor * own[i];
+    }
+    ++done;
   }
-  for (std::size_t k = 0; k < motions.size(); ++k)
-    motions[k] = columns.col(static_cast<Index>(k));
+  std::vector<VectorXd> motions;
+  for (Index k = 0; k < done; ++k) {
+    VectorXd& motion = motions.emplace_back(rows);
+    std::copy_n(&columns(0, k), rows, motion.data());
+  }
   return motions;
 }
 
 bool turns(const RigidMotion& motion) {
-  return motion.turn.norm() > negligible * motion.shift.norm();
+  return contact::length_of(motion.turn) > negligible * contact::length_of(motion.shift);
 }
 
 } // namespace
@@ -88,12 +144,14 @@ RigidMotions::RigidMotions(const Model& model)
       gram_(MatrixXd::Zero(columns(), columns())) {
   Vector3d low = model.mesh.points.front();
   Vector3d high = low;
-  for (const auto& point : model.mesh.points) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
-  centre_ = (low + high) / 2;
-  size_ = (high - low).norm();
+  for (const auto& point : model.mesh.points)
+    for (Index i = 0; i < point.size(); ++i) {
+      low[i] = std::min(low[i], point[i]);
+      high[i] = std::max(high[i], point[i]);
+    }
+  for (Index i = 0; i < low.size(); ++i)
+    centre_[i] = (low[i] + high[i]) / 2;
+  size_ = contact::length_of(contact::difference_of(high, low));
 }
 
 void RigidMotions::add_supports() {
@@ -139,7 +197,7 @@ std::vector<char> RigidMotions::held() const {
 }
 
 MatrixXd RigidMotions::block_of(int body) const {
-  return gram_.block(body * modes_, body * modes_, modes_, modes_);
+  return part_of(gram_, body * modes_, modes_, body * modes_, modes_);
 }
 
 /// Columns that span the motions that a body has left: alone, or together with those that relations tie to
@@ -147,14 +205,20 @@ MatrixXd RigidMotions::block_of(int body) const {
 MatrixXd RigidMotions::motions_left(int body) const {
   if (!ties_bodies_) {
     const auto block = block_of(body);
-    return linalg::symmetric_eigen(block).vectors.leftCols(modes_ - rank_of(block));
+    return part_of(linalg::symmetric_eigen(block).vectors, 0, modes_, 0, modes_ - rank_of(block));
   }
   const auto [values, vectors] = linalg::symmetric_eigen(gram_);
-  const Index count = (values.array() <= rank_tolerance * values[columns() - 1]).count();
-  const MatrixXd of_body = vectors.middleRows(body * modes_, modes_).leftCols(count);
-  const MatrixXd spanned = of_body * of_body.transpose();
+  const Index count = count_up_to(values, rank_tolerance * values[columns() - 1]);
+  MatrixXd spanned = MatrixXd::Zero(modes_, modes_);
+  for (Index k = 0; k < count; ++k) {
+    const double* of_body = &vectors(body * modes_, k);
+    for (Index j = 0; j < modes_; ++j)
+      for (Index i = 0; i < modes_; ++i)
+        spanned(i, j) += of_body[i] * of_body[j];
+  }
   const auto eigen = linalg::symmetric_eigen(spanned);
-  return eigen.vectors.rightCols((eigen.values.array() > rank_tolerance).count());
+  const Index left = count_above(eigen.values, rank_tolerance);
+  return part_of(eigen.vectors, 0, modes_, modes_ - left, left);
 }
 
 std::vector<RigidMotion> RigidMotions::loose_alone() const {
@@ -169,27 +233,30 @@ std::vector<RigidMotion> RigidMotions::loose_alone() const {
 std::vector<RigidMotion> RigidMotions::loose() const {
   const auto [values, vectors] = linalg::symmetric_eigen(gram_);
   const double allowed = rank_tolerance * values[columns() - 1];
-  const Index count = (values.array() <= allowed).count();
+  const Index count = count_up_to(values, allowed);
   if (count == 0)
     return {};
-  const MatrixXd motions = vectors.leftCols(count);
+  const auto motions = part_of(vectors, 0, columns(), 0, count);
   Index body = 0;
   double largest = 0;
   for (Index b = 0; b < bodies_.count(); ++b)
-    if (const double moved = motions.middleRows(b * modes_, modes_).norm(); moved > largest) {
+    if (const double moved = size_of_rows(motions, b * modes_, modes_); moved > largest) {
       largest = moved;
       body = b;
     }
   std::vector<RigidMotion> loose;
-  for (const auto& motion : columns_told_apart(motions.middleRows(body * modes_, modes_)))
+  for (const auto& motion : columns_told_apart(part_of(motions, body * modes_, modes_, 0, count)))
     loose.push_back(motion_of(static_cast<int>(body), motion));
   return loose;
 }
 
 std::vector<RigidMotion> RigidMotions::all_of(int body) const {
   std::vector<RigidMotion> motions;
-  for (Index mode = 0; mode < modes_; ++mode)
-    motions.push_back(motion_of(body, VectorXd::Unit(modes_, mode)));
+  for (Index mode = 0; mode < modes_; ++mode) {
+    VectorXd values = VectorXd::Zero(modes_);
+    values[mode] = 1;
+    motions.push_back(motion_of(body, values));
+  }
   return motions;
 }
 
@@ -199,30 +266,38 @@ std::vector<RigidMotion> RigidMotions::told_apart(std::span<const RigidMotion> m
     return apart;
   MatrixXd values(6, static_cast<Index>(motions.size()));
   for (std::size_t k = 0; k < motions.size(); ++k)
-    values.col(static_cast<Index>(k)) << motions[k].shift, motions[k].turn;
+    for (Index i = 0; i < 3; ++i) {
+      values(i, static_cast<Index>(k)) = motions[k].shift[i];
+      values(3 + i, static_cast<Index>(k)) = motions[k].turn[i];
+    }
   for (const auto& column : columns_told_apart(values))
-    apart.push_back({motions.front().body, column.head<3>(), column.tail<3>()});
+    apart.push_back({motions.front().body, Vector3d(column[0], column[1], column[2]),
+                     Vector3d(column[3], column[4], column[5])});
   return apart;
 }
 
 Vector3d RigidMotions::at(const RigidMotion& motion, const Vector3d& place) const {
-  return motion.shift + motion.turn.cross(place - centre_) / size_;
+  const auto turned = contact::cross(motion.turn, contact::difference_of(place, centre_));
+  Vector3d moved = motion.shift;
+  for (Index i = 0; i < moved.size(); ++i)
+    moved[i] += turned[i] / size_;
+  return moved;
 }
 
 int RigidMotions::body_of_dof(int dof) const {
   return bodies_.of(model_.dofs.nodes[static_cast<std::size_t>(dof / model_.dofs.components)]);
 }
 
-RowVectorXd RigidMotions::row_of_dof(int dof) const {
+VectorXd RigidMotions::row_of_dof(int dof) const {
   Vector3d direction = Vector3d::Zero();
   direction[dof % model_.dofs.components] = 1;
   return row(model_.dofs.nodes[static_cast<std::size_t>(dof / model_.dofs.components)], direction);
 }
 
 void RigidMotions::add_connector(const Connector& connector) {
-  RowVectorXd sum = RowVectorXd::Zero(columns());
+  VectorXd sum = VectorXd::Zero(columns());
   for (const auto& term : connector.row) {
-    sum += term.coefficient * row_of_dof(term.dof);
+    linalg::add_scaled(term.coefficient, row_of_dof(term.dof), sum);
     ties_bodies_ = ties_bodies_ || body_of_dof(term.dof) != body_of_dof(connector.row.front().dof);
   }
   add_row(sum);
@@ -234,37 +309,45 @@ void RigidMotions::add_dof(int dof) {
 
 /// Relations of a body that is rigid by them say nothing of its rigid motions: their rows are rounding.
 void RigidMotions::add_relation(const constraint::DependentDof& dependent) {
-  RowVectorXd sum = row_of_dof(dependent.dof);
-  double summed = sum.lpNorm<Eigen::Infinity>();
+  VectorXd sum = row_of_dof(dependent.dof);
+  double summed = linalg::largest_magnitude(sum);
   for (const auto* terms : {&dependent.of, &dependent.prescribed})
     for (const auto& term : *terms) {
-      const RowVectorXd part = term.coefficient * row_of_dof(term.dof);
-      summed = std::max(summed, part.lpNorm<Eigen::Infinity>());
-      sum -= part;
+      const auto row = row_of_dof(term.dof);
+      summed = std::max(summed, std::abs(term.coefficient) * linalg::largest_magnitude(row));
+      linalg::add_scaled(-term.coefficient, row, sum);
       ties_bodies_ = ties_bodies_ || body_of_dof(term.dof) != body_of_dof(dependent.dof);
     }
-  if (sum.lpNorm<Eigen::Infinity>() > relation_rounding * summed)
+  if (linalg::largest_magnitude(sum) > relation_rounding * summed)
     add_row(sum);
 }
 
 void RigidMotions::add_gauge(const Gauge& gauge) {
   const int components = model_.dofs.components;
-  RowVectorXd sum = RowVectorXd::Zero(columns());
+  VectorXd sum = VectorXd::Zero(columns());
   for (std::size_t i = 0; i < gauge.nodes.size(); ++i) {
     Vector3d direction = Vector3d::Zero();
-    direction.head(components) = gauge.values.segment(static_cast<Index>(i) * components, components);
-    sum += row(gauge.nodes[i], direction);
+    for (int a = 0; a < components; ++a)
+      direction[a] = gauge.values[static_cast<Index>(i) * components + a];
+    linalg::add_scaled(1, row(gauge.nodes[i], direction), sum);
   }
-  add_row(sum / gauge.values.norm());
+  const double length = gauge.values.norm();
+  for (auto& value : sum)
+    value /= length;
+  add_row(sum);
 }
 
-void RigidMotions::add_row(const RowVectorXd& row) {
-  gram_.noalias() += row.transpose() * row;
+/// Most entries are 0: those of the other bodies.
+void RigidMotions::add_row(const VectorXd& row) {
+  for (Index j = 0; j < row.size(); ++j)
+    if (row[j] != 0)
+      for (Index i = 0; i < row.size(); ++i)
+        gram_(i, j) += row[i] * row[j];
 }
 
 /// Component along `direction` of a node's motion in every mode of its body.
-RowVectorXd RigidMotions::row(NodeIndex node, const Vector3d& direction) const {
-  RowVectorXd r = RowVectorXd::Zero(columns());
+VectorXd RigidMotions::row(NodeIndex node, const Vector3d& direction) const {
+  VectorXd r = VectorXd::Zero(columns());
   const int body = bodies_.of(node);
   if (body < 0)
     return r;
@@ -274,13 +357,15 @@ RowVectorXd RigidMotions::row(NodeIndex node, const Vector3d& direction) const {
     return r;
   }
   const int components = model_.dofs.components;
-  r.segment(first, components) = direction.head(components).transpose();
-  const Vector3d arm = (model_.mesh.points[static_cast<std::size_t>(node)] - centre_) / size_;
-  const Vector3d turn = arm.cross(direction);
-  if (components == 3)
-    r.segment(first + 3, 3) = turn.transpose();
-  else
-    r[first + 2] = turn[2];
+  const auto& place = model_.mesh.points[static_cast<std::size_t>(node)];
+  Vector3d arm;
+  for (Index a = 0; a < arm.size(); ++a)
+    arm[a] = (place[a] - centre_[a]) / size_;
+  const auto turn = contact::cross(arm, direction);
+  for (int a = 0; a < components; ++a)
+    r[first + a] = direction[a];
+  for (Index a = components == 3 ? 0 : 2; a < 3; ++a)
+    r[first + (components == 3 ? 3 + a : a)] = turn[a];
   return r;
 }
 
@@ -289,11 +374,11 @@ void RigidMotions::add_point(const contact::Zone& zone, const contact::SlavePoin
   const auto kinematics = contact::evaluate_kinematics(zone, point, pair, configuration);
   const int directions = zone.settings.friction > 0 || zone.settings.tie ? zone.space_dimension : 1;
   for (int a = 0; a < directions; ++a) {
-    const Vector3d direction = a == 0 ? kinematics.normal : Vector3d(kinematics.tangents.col(a - 1));
-    RowVectorXd relative = RowVectorXd::Zero(columns());
+    const Vector3d direction = a == 0 ? kinematics.normal : contact::column_of(kinematics.tangents, a - 1);
+    VectorXd relative = VectorXd::Zero(columns());
     for (std::size_t i = 0; i < kinematics.stencil.nodes.size(); ++i)
-      relative +=
-          kinematics.stencil.weights[static_cast<Index>(i)] * row(kinematics.stencil.nodes[i], direction);
+      linalg::add_scaled(kinematics.stencil.weights[static_cast<Index>(i)],
+                         row(kinematics.stencil.nodes[i], direction), relative);
     add_row(relative);
   }
 }
@@ -304,9 +389,10 @@ RigidMotion RigidMotions::motion_of(int body, const VectorXd& values) const {
   if (modes_ == 1)
     motion.shift[1] = values[0];
   else {
-    motion.shift.head(components) = values.head(components);
+    for (int a = 0; a < components; ++a)
+      motion.shift[a] = values[a];
     if (components == 3)
-      motion.turn = values.tail(3);
+      motion.turn = Vector3d(values[3], values[4], values[5]);
     else
       motion.turn[2] = values[2];
   }

@@ -59,12 +59,12 @@ private:
   void add_connector(const Connector& connector);
   void add_relation(const constraint::DependentDof& dependent);
   void add_gauge(const Gauge& gauge);
-  void add_row(const Eigen::RowVectorXd& row);
-  Eigen::RowVectorXd row(mesh::NodeIndex node, const Eigen::Vector3d& direction) const;
+  void add_row(const Eigen::VectorXd& row);
+  Eigen::VectorXd row(mesh::NodeIndex node, const Eigen::Vector3d& direction) const;
   void add_point(const contact::Zone& zone, const contact::SlavePoint& point, const contact::Pair& pair,
                  const contact::Configuration& configuration);
   int body_of_dof(int dof) const;
-  Eigen::RowVectorXd row_of_dof(int dof) const;
+  Eigen::VectorXd row_of_dof(int dof) const;
   Eigen::MatrixXd block_of(int body) const;
   Eigen::MatrixXd motions_left(int body) const;
   RigidMotion motion_of(int body, const Eigen::VectorXd& values) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/model/slave_side.hpp"
 
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/domain/cell_matrices.hpp"
 #include "rubato/material/stretching.hpp"
 #include "rubato/mesh/sheet.hpp"
@@ -44,7 +45,7 @@ SideMeasures::Side SideMeasures::of(std::span<const mesh::SurfaceFace> faces) co
   side.has_cells = true;
   std::vector<mesh::NodeIndex> nodes;
   for (const auto& face : faces) {
-    const double area = mesh::normal_of(*mesh_, face).norm();
+    const double area = contact::length_of(mesh::normal_of(*mesh_, face));
     side.face_size += mesh_->dimension == 3 ? std::sqrt(area) : area;
     if (face.owner == mesh::SurfaceFace::none)
       side.has_cells = false;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/core/naming.hpp"
 #include "rubato/linalg/memory.hpp"
 #include "rubato/model/node_label.hpp"
 #include "rubato/model/relations.hpp"
@@ -176,11 +177,10 @@ private:
         named.resize(named_sources);
       const auto dof = equations_.list[static_cast<std::size_t>(found.equation)].terms.front().dof;
       faults_.push_back(fault_at(
-          path,
-          fmt::format("{} contradicts {} at node {}: {:.3g} is left at t = {}; expected relations that "
-                      "can hold together",
-                      path, named.empty() ? std::string("itself") : fmt::format("{}", fmt::join(named, ", ")),
-                      place_of(dof), found.excess, found.at)));
+          path, fmt::format("{} contradicts {} at node {}: {:.3g} is left at t = {}; expected relations that "
+                            "can hold together",
+                            path, named.empty() ? std::string("itself") : joined(named, ", "), place_of(dof),
+                            found.excess, found.at)));
     }
   }
 

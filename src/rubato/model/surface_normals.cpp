@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/model/surface_normals.hpp"
 
-#include <Eigen/Geometry>
+#include "rubato/contact/small_vectors.hpp"
 
 #include <algorithm>
 #include <map>
@@ -19,10 +19,11 @@ struct Corners {
       : count(cell::topology(face.type).corner_count), mesh_(mesh), face_(face) {}
 
   Vector3d next(int corner) const {
-    return count == 2 ? Vector3d(place(1) - place(0)) : place((corner + 1) % count) - place(corner);
+    return contact::difference_of(place((corner + 1) % count), place(count == 2 ? 0 : corner));
   }
   Vector3d last(int corner) const {
-    return count == 2 ? Vector3d::UnitZ() : Vector3d(place((corner + count - 1) % count) - place(corner));
+    return count == 2 ? Vector3d(0, 0, 1)
+                      : contact::difference_of(place((corner + count - 1) % count), place(corner));
   }
 
   int count;
@@ -39,7 +40,8 @@ private:
 /// What a corner has of its face: half a segment, a third of a triangle, half the triangle it has with its
 /// neighbours in a quadrangle.
 double area_of(const Corners& corners, const Vector3d& product) {
-  return corners.count == 3 ? product.norm() / 6 : product.norm() / (corners.count == 2 ? 2 : 4);
+  const double length = contact::length_of(product);
+  return corners.count == 3 ? length / 6 : length / (corners.count == 2 ? 2 : 4);
 }
 
 } // namespace
@@ -51,21 +53,21 @@ std::vector<FaceCorner> face_corners(const mesh::Mesh& mesh, const contact::Surf
     for (int i = 0; i < corners.count; ++i) {
       const Vector3d next = corners.next(i);
       const Vector3d last = corners.last(i);
-      const Vector3d product = next.cross(last);
+      const Vector3d product = contact::cross(next, last);
       list.push_back({static_cast<int>(f), surface.faces[f].positions[static_cast<std::size_t>(i)],
-                      area_of(corners, product), product.normalized(),
-                      product.norm() / (next.squaredNorm() * last.squaredNorm())});
+                      area_of(corners, product), contact::unit_of(product),
+                      contact::length_of(product) / (contact::dot(next, next) * contact::dot(last, last))});
     }
   }
   return list;
 }
 
 std::vector<Vector3d> averaged_normals(const contact::Surface& surface, std::span<const FaceCorner> corners) {
-  std::vector<Vector3d> averages(surface.nodes.size(), Vector3d::Zero());
+  std::vector<Vector3d> averages(surface.nodes.size(), Vector3d(0, 0, 0));
   for (const auto& corner : corners)
-    averages[static_cast<std::size_t>(corner.position)] += corner.weight * corner.normal;
+    contact::add_scaled(corner.weight, corner.normal, averages[static_cast<std::size_t>(corner.position)]);
   for (auto& average : averages)
-    average.normalize();
+    average = contact::unit_of(average);
   return averages;
 }
 

@@ -2,13 +2,13 @@
 #include "rubato/model/touching_parts.hpp"
 
 #include "rubato/contact/sharp_edges.hpp"
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/core/naming.hpp"
 #include "rubato/mesh/sheet.hpp"
 #include "rubato/model/bodies.hpp"
 #include "rubato/model/named_faces.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -43,15 +43,15 @@ struct SkinPart {
 
 PlacedFace placed(const mesh::Mesh& mesh, const SurfaceFace& face) {
   const Vector3d normal = mesh::normal_of(mesh, face);
-  const double area = normal.norm();
-  return {mesh::centre_of(mesh, face), normal.stableNormalized(),
+  const double area = contact::length_of(normal);
+  return {mesh::centre_of(mesh, face), contact::unit_of(normal),
           mesh.dimension == 3 ? std::sqrt(area) : area};
 }
 
 /// Each in front of the other, or no more than `behind` behind it.
 bool in_front(const PlacedFace& one, const PlacedFace& other, double behind) {
-  const Vector3d apart = other.centre - one.centre;
-  return apart.dot(one.normal) > -behind && apart.dot(other.normal) < behind;
+  const Vector3d apart = contact::difference_of(other.centre, one.centre);
+  return contact::dot(apart, one.normal) > -behind && contact::dot(apart, other.normal) < behind;
 }
 
 /// The skins of all bodies, cut along their sharp edges; in the order of their first faces.
@@ -73,7 +73,8 @@ std::vector<SkinPart> skin_parts(const mesh::Mesh& mesh, const domain::Bulk& bul
 bool can_touch(const SkinPart& one, const SkinPart& other) {
   return one.body != other.body && std::ranges::any_of(one.places, [&](const auto& a) {
            return std::ranges::any_of(other.places, [&](const auto& b) {
-             return a.normal.dot(b.normal) < facing && in_front(a, b, overlap * std::min(a.size, b.size));
+             return contact::dot(a.normal, b.normal) < facing &&
+                    in_front(a, b, overlap * std::min(a.size, b.size));
            });
          });
 }
@@ -149,7 +150,7 @@ private:
     }
     zone.slave = parts_[slave].faces;
     zone.slave_name = name_of(slave);
-    zone.master_name = fmt::format("{}", fmt::join(names, ", "));
+    zone.master_name = joined(names, ", ");
     zone.choice = masters.front().reason;
     zone.name = unused(names.size() == 1 ? zone.slave_name + "_" + names.front() : zone.slave_name);
     return zone;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/integration.hpp"
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/core/naming.hpp"
 #include "rubato/mesh/orientation.hpp"
 #include "rubato/mesh/sheet.hpp"
@@ -43,9 +44,10 @@ bool looks_away(const mesh::Mesh& mesh, const mesh::Sheets& sheets, int sheet,
     for (std::size_t f = 0; f < sheets.faces.size(); ++f) {
       if (sheets.sheet_of_face[f] != sheet)
         continue;
-      const double distance = (mesh::centre_of(mesh, sheets.faces[f]) - centre).norm();
+      const double distance =
+          contact::length_of(contact::difference_of(mesh::centre_of(mesh, sheets.faces[f]), centre));
       if (distance < seen[s].distance)
-        seen[s] = {distance, mesh::normal_of(mesh, sheets.faces[f]).normalized().dot(normal)};
+        seen[s] = {distance, contact::dot(contact::unit_of(mesh::normal_of(mesh, sheets.faces[f])), normal)};
     }
     nearest = std::min(nearest, seen[s].distance);
   }
