@@ -5,6 +5,8 @@
 #include "rubato/linalg/blas_threads.hpp"
 #include "rubato/linalg/pivoted_qr.hpp"
 
+#include <Eigen/QR>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -125,6 +127,18 @@ VectorXd least_norm_solution(const MatrixXd& a, const VectorXd& b) {
 
 MatrixXd pseudo_inverse(const MatrixXd& a) {
   return PivotedQr(a).least_norm(MatrixXd::Identity(a.rows(), a.rows()));
+}
+
+// Eigen's factors: among columns of equal length, as of nodes of a regular mesh, LAPACK's choose others by
+// rounding.
+std::vector<std::size_t> independent_columns(const MatrixXd& a, double threshold) {
+  Eigen::ColPivHouseholderQR<MatrixXd> qr(a);
+  qr.setThreshold(threshold);
+  const auto& order = qr.colsPermutation().indices();
+  std::vector<std::size_t> columns;
+  for (Index k = 0; k < qr.rank(); ++k)
+    columns.push_back(static_cast<std::size_t>(order[k]));
+  return columns;
 }
 
 } // namespace rubato::linalg

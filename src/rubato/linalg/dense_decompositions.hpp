@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Decompositions of dense matrices by LAPACK. Eigen's templates for them take longer to compile than all
-/// else in a source.
+/// Decompositions of dense matrices, compiled once: Eigen's templates for them take longer to compile than
+/// all else in a source. LAPACK makes them, but for the choice of columns.
 #pragma once
 
 #include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
 
 namespace rubato::linalg {
 
@@ -31,5 +34,9 @@ Eigen::MatrixXd solve_symmetric(const Eigen::MatrixXd& a, const Eigen::MatrixXd&
 /// The smallest x that leaves least of A x = b, whatever the rank of A.
 Eigen::VectorXd least_norm_solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& a);
+
+/// Columns of A that span all of them, in the order of their pivots (QR with column pivoting). Pivots up to
+/// `threshold` of the largest count as rounding.
+std::vector<std::size_t> independent_columns(const Eigen::MatrixXd& a, double threshold);
 
 } // namespace rubato::linalg

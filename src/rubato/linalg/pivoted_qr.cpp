@@ -62,14 +62,6 @@ Index PivotedQr::rank() const {
   return found;
 }
 
-std::vector<std::size_t> PivotedQr::independent_columns(double threshold) const {
-  std::vector<std::size_t> columns;
-  for (Index k = 0; k < static_cast<Index>(reflection_factors_.size()); ++k)
-    if (std::abs(factors_(k, k)) > threshold * std::abs(factors_(0, 0)))
-      columns.push_back(static_cast<std::size_t>(pivots_[static_cast<std::size_t>(k)] - 1));
-  return columns;
-}
-
 /// As many as are not rounding of the largest one.
 Index PivotedQr::pivots_beyond_rounding() const {
   const auto count = static_cast<Index>(reflection_factors_.size());

@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 
-#include <cstddef>
 #include <vector>
 
 namespace rubato::linalg {
@@ -16,8 +15,6 @@ public:
 
   /// Number of pivots |R_kk| > threshold |R_00|. The threshold is min(rows, columns) ε.
   Eigen::Index rank() const;
-  /// Columns of A in the order of their pivots, as long as |R_kk| > threshold |R_00|: they span all columns.
-  std::vector<std::size_t> independent_columns(double threshold) const;
   /// x that leaves least of A x = b, one column a right side. Unknowns of pivots that are rounding are 0.
   Eigen::MatrixXd solve(Eigen::MatrixXd right_sides) const;
   /// The smallest x that leaves least of A x = b, whatever the rank, one column a right side.

@@ -6,6 +6,7 @@
 #include "rubato/cell/shape_table.hpp"
 #include "rubato/contact/small_vectors.hpp"
 #include "rubato/core/time_integral.hpp"
+#include "rubato/linalg/dense_decompositions.hpp"
 #include "rubato/linalg/pivoted_qr.hpp"
 #include "rubato/mesh/skin.hpp"
 #include "rubato/model/embedding.hpp"
@@ -293,7 +294,7 @@ private:
     for (Index d = 0; d < rigid.rows(); ++d)
       for (Index k = 0; k < rigid.cols(); ++k)
         of_dofs(k, d) = rigid(d, k);
-    const auto order = linalg::PivotedQr(of_dofs).independent_columns(rank_tolerance_of_motions);
+    const auto order = linalg::independent_columns(of_dofs, rank_tolerance_of_motions);
     const auto rank = static_cast<Index>(order.size());
     MatrixXd chosen(rigid.cols(), rank);
     std::vector<char> is_chosen(reference->dofs.size(), 0);

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace rubato::linalg::dense_decompositions_test {
 namespace {
@@ -59,6 +61,13 @@ TEST(DenseDecompositions, InvertWhatHasAnInverse) {
   const MatrixXd same{{1, 1}, {1, 1}};
   EXPECT_LT((pseudo_inverse(same) - same / 4).norm(), 1e-15);
   EXPECT_LT((least_norm_solution(same, VectorXd::Constant(2, 2.)) - VectorXd::Ones(2)).norm(), 1e-14);
+}
+
+TEST(DenseDecompositions, ChooseColumnsThatSpanAll) {
+  const MatrixXd columns{{1, 0, 3, 0}, {0, 1e-12, 0, 0}, {0, 0, 0, 2}};
+  EXPECT_EQ(independent_columns(columns, 1e-9), (std::vector<std::size_t>{2, 3}));
+  EXPECT_EQ(independent_columns(columns, 1e-13), (std::vector<std::size_t>{2, 3, 1}));
+  EXPECT_TRUE(independent_columns(MatrixXd::Zero(2, 2), 1e-9).empty());
 }
 
 } // namespace
