@@ -12,11 +12,11 @@ namespace rubato::test {
 BuiltModel::BuiltModel(std::shared_ptr<const model::Model> model)
     : ModelParts(*model), kept_(std::move(model)) {}
 
-BuiltModel::BuiltModel(const study::Study& study)
-    : BuiltModel(std::make_shared<const model::Model>(model::build_model(study))) {}
+BuiltModel::BuiltModel(const study::Study& input)
+    : BuiltModel(std::make_shared<const model::Model>(model::build_model(input))) {}
 
-BuiltModel::BuiltModel(const study::Study& study, mesh::Mesh mesh)
-    : BuiltModel(std::make_shared<const model::Model>(model::build_model(study, std::move(mesh)))) {}
+BuiltModel::BuiltModel(const study::Study& input, mesh::Mesh bodies)
+    : BuiltModel(std::make_shared<const model::Model>(model::build_model(input, std::move(bodies)))) {}
 
 BuiltModel::operator model::Model() && {
   return whole;

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <unordered_map>
 #include <vector>
@@ -23,7 +22,7 @@ constexpr std::string_view no_user = "there are no user subroutines";
 constexpr std::string_view other_step = "there is no such analysis";
 constexpr std::string_view elsewhere = "write the numbers into the file";
 
-constexpr std::array keyword_rows{
+constexpr Keyword keyword_rows[] = {
     // ---- what others stand in
     Keyword{"ASSEMBLY", Use::structure, "NAME", "", "parts at their places"},
     Keyword{"END ASSEMBLY", Use::structure},
