@@ -19,7 +19,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
-using Eigen::VectorXd;
 using mesh::NodeIndex;
 
 /// Eigenvalues below this part of the largest belong to motions nothing holds.
@@ -35,11 +34,11 @@ Index mode_count(const Model& model) {
   return model.dofs.components == 3 ? 6 : 3;
 }
 
-Index count_above(const VectorXd& values, double limit) {
+Index count_above(const Eigen::VectorXd& values, double limit) {
   return std::count_if(values.begin(), values.end(), [limit](double value) { return value > limit; });
 }
 
-Index count_up_to(const VectorXd& values, double limit) {
+Index count_up_to(const Eigen::VectorXd& values, double limit) {
   return std::count_if(values.begin(), values.end(), [limit](double value) { return value <= limit; });
 }
 
@@ -102,7 +101,7 @@ std::string axis_text(Vector3d axis) {
 }
 
 /// Independent motions that span the columns, turns told apart first: what is left then are shifts.
-std::vector<VectorXd> columns_told_apart(MatrixXd columns) {
+std::vector<Eigen::VectorXd> columns_told_apart(MatrixXd columns) {
   const double scale = largest_magnitude(columns);
   const Index rows = columns.rows();
   Index done = 0;
@@ -125,9 +124,9 @@ std::vector<VectorXd> columns_told_apart(MatrixXd columns) {
     }
     ++done;
   }
-  std::vector<VectorXd> motions;
+  std::vector<Eigen::VectorXd> motions;
   for (Index k = 0; k < done; ++k) {
-    VectorXd& motion = motions.emplace_back(rows);
+    Eigen::VectorXd& motion = motions.emplace_back(rows);
     std::copy_n(&columns(0, k), rows, motion.data());
   }
   return motions;
@@ -177,7 +176,7 @@ void RigidMotions::add_firm_supports() {
 }
 
 void RigidMotions::add_contact() {
-  const VectorXd rest = VectorXd::Zero(model_.dofs.dof_count);
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model_.dofs.dof_count);
   const contact::Configuration configuration{
       &model_.mesh, &model_.dofs, &rest, &rest, model_.study.time.begin, model_.study.time.begin};
   for (const auto& zone : model_.zones) {
@@ -253,7 +252,7 @@ std::vector<RigidMotion> RigidMotions::loose() const {
 std::vector<RigidMotion> RigidMotions::all_of(int body) const {
   std::vector<RigidMotion> motions;
   for (Index mode = 0; mode < modes_; ++mode) {
-    VectorXd values = VectorXd::Zero(modes_);
+    Eigen::VectorXd values = Eigen::VectorXd::Zero(modes_);
     values[mode] = 1;
     motions.push_back(motion_of(body, values));
   }
@@ -288,14 +287,14 @@ int RigidMotions::body_of_dof(int dof) const {
   return bodies_.of(model_.dofs.nodes[static_cast<std::size_t>(dof / model_.dofs.components)]);
 }
 
-VectorXd RigidMotions::row_of_dof(int dof) const {
+Eigen::VectorXd RigidMotions::row_of_dof(int dof) const {
   Vector3d direction = Vector3d::Zero();
   direction[dof % model_.dofs.components] = 1;
   return row(model_.dofs.nodes[static_cast<std::size_t>(dof / model_.dofs.components)], direction);
 }
 
 void RigidMotions::add_connector(const Connector& connector) {
-  VectorXd sum = VectorXd::Zero(columns());
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(columns());
   for (const auto& term : connector.row) {
     linalg::add_scaled(term.coefficient, row_of_dof(term.dof), sum);
     ties_bodies_ = ties_bodies_ || body_of_dof(term.dof) != body_of_dof(connector.row.front().dof);
@@ -309,7 +308,7 @@ void RigidMotions::add_dof(int dof) {
 
 /// Relations of a body that is rigid by them say nothing of its rigid motions: their rows are rounding.
 void RigidMotions::add_relation(const constraint::DependentDof& dependent) {
-  VectorXd sum = row_of_dof(dependent.dof);
+  Eigen::VectorXd sum = row_of_dof(dependent.dof);
   double summed = linalg::largest_magnitude(sum);
   for (const auto* terms : {&dependent.of, &dependent.prescribed})
     for (const auto& term : *terms) {
@@ -324,7 +323,7 @@ void RigidMotions::add_relation(const constraint::DependentDof& dependent) {
 
 void RigidMotions::add_gauge(const Gauge& gauge) {
   const int components = model_.dofs.components;
-  VectorXd sum = VectorXd::Zero(columns());
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(columns());
   for (std::size_t i = 0; i < gauge.nodes.size(); ++i) {
     Vector3d direction = Vector3d::Zero();
     for (int a = 0; a < components; ++a)
@@ -338,7 +337,7 @@ void RigidMotions::add_gauge(const Gauge& gauge) {
 }
 
 /// Most entries are 0: those of the other bodies.
-void RigidMotions::add_row(const VectorXd& row) {
+void RigidMotions::add_row(const Eigen::VectorXd& row) {
   for (Index j = 0; j < row.size(); ++j)
     if (row[j] != 0)
       for (Index i = 0; i < row.size(); ++i)
@@ -346,8 +345,8 @@ void RigidMotions::add_row(const VectorXd& row) {
 }
 
 /// Component along `direction` of a node's motion in every mode of its body.
-VectorXd RigidMotions::row(NodeIndex node, const Vector3d& direction) const {
-  VectorXd r = VectorXd::Zero(columns());
+Eigen::VectorXd RigidMotions::row(NodeIndex node, const Vector3d& direction) const {
+  Eigen::VectorXd r = Eigen::VectorXd::Zero(columns());
   const int body = bodies_.of(node);
   if (body < 0)
     return r;
@@ -375,7 +374,7 @@ void RigidMotions::add_point(const contact::Zone& zone, const contact::SlavePoin
   const int directions = zone.settings.friction > 0 || zone.settings.tie ? zone.space_dimension : 1;
   for (int a = 0; a < directions; ++a) {
     const Vector3d direction = a == 0 ? kinematics.normal : contact::column_of(kinematics.tangents, a - 1);
-    VectorXd relative = VectorXd::Zero(columns());
+    Eigen::VectorXd relative = Eigen::VectorXd::Zero(columns());
     for (std::size_t i = 0; i < kinematics.stencil.nodes.size(); ++i)
       linalg::add_scaled(kinematics.stencil.weights[static_cast<Index>(i)],
                          row(kinematics.stencil.nodes[i], direction), relative);
@@ -383,7 +382,7 @@ void RigidMotions::add_point(const contact::Zone& zone, const contact::SlavePoin
   }
 }
 
-RigidMotion RigidMotions::motion_of(int body, const VectorXd& values) const {
+RigidMotion RigidMotions::motion_of(int body, const Eigen::VectorXd& values) const {
   RigidMotion motion{.body = body};
   const int components = model_.dofs.components;
   if (modes_ == 1)

@@ -19,7 +19,8 @@ struct Corners {
       : count(cell::topology(face.type).corner_count), mesh_(mesh), face_(face) {}
 
   Vector3d next(int corner) const {
-    return contact::difference_of(place((corner + 1) % count), place(count == 2 ? 0 : corner));
+    return count == 2 ? contact::difference_of(place(1), place(0))
+                      : contact::difference_of(place((corner + 1) % count), place(corner));
   }
   Vector3d last(int corner) const {
     return count == 2 ? Vector3d(0, 0, 1)
