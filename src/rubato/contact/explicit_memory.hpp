@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// What springs of contact zones carry from step to step in explicit runs.
+/// The state of the springs of contact zones between the steps of explicit runs.
 #pragma once
 
 #include "rubato/contact/friction_history.hpp"
@@ -11,7 +11,7 @@
 
 namespace rubato::contact {
 
-/// Of one contact point.
+/// The spring of one contact point.
 struct ExplicitSpring {
   Status status = Status::open;
   bool paired = true;    ///< at the end of the last step; in the first one no gap has an offset
@@ -25,7 +25,7 @@ struct ExplicitSpring {
   Eigen::Vector2d slip_on_tangents = Eigen::Vector2d::Zero(); ///< of the last step
 };
 
-/// Of one zone.
+/// The springs of one zone.
 struct ExplicitZoneMemory {
   std::vector<ExplicitSpring> springs;           ///< one a contact point
   std::vector<FrictionHistory> friction_history; ///< one a contact point

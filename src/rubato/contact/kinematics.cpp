@@ -81,7 +81,7 @@ private:
   static constexpr int alpha = 3;
   static constexpr int gamma = 4;
   static constexpr int row_count = Dimension == 2 ? 5 : 2;
-  /// Of one node, by row and component.
+  /// The entries of one node, by row and component.
   using Block = std::array<Motion, row_count>;
 
   /// Where the motions of the free place and δn_s stand among all.
@@ -440,7 +440,7 @@ private:
   Eigen::Matrix<double, 3, 2> added_tangents_; ///< of both, where the frame takes them
   Vector3d slave_position_;
   Vector3d moved_; ///< the point relative to its place on the master, since the start of the step
-  /// What each master node's displacement is multiplied with in the free place's motions.
+  /// The factor of each master node's displacement in the motions of the free place.
   std::array<std::array<double, place_motions>, 9> free_weights_;
   std::array<Row, Dimension> d_free_;
   /// dξ̄ and how the frame turns: dτ₁ = α τ₂ + β n, dτ₂ = −α τ₁ + γ n, dn = −β τ₁ − γ τ₂.

@@ -8,7 +8,7 @@
 
 namespace rubato::element {
 
-/// What there is to know at a point, for fields and for the balance of energy.
+/// The values of a point that fields and the balance of energy read.
 struct PointRecord {
   double volume = 0;        ///< weight of the point, measure included
   double stored = 0;        ///< by undeformed volume

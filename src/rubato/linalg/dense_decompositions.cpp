@@ -22,7 +22,7 @@ using Eigen::VectorXd;
 
 constexpr double not_found = std::numeric_limits<double>::quiet_NaN();
 
-/// Of LAPACK's divide and conquer, for values and vectors.
+/// The storage of LAPACK's divide and conquer, for values and vectors.
 struct EigenStorage {
   explicit EigenStorage(int size)
       : work(static_cast<std::size_t>(1 + 6 * size + 2 * size * size)),

@@ -21,7 +21,11 @@ void add_product(const Eigen::MatrixXd& a, const Eigen::VectorXd& x, Eigen::Vect
 /// to += factor · values
 void add_scaled(double factor, const Eigen::VectorXd& values, Eigen::VectorXd& to);
 
+/// A += factor · v vᵀ, A with a row for each entry of v.
+void add_square(double factor, const Eigen::VectorXd& v, Eigen::MatrixXd& a);
+
 /// The largest magnitude, 0 of no numbers.
 double largest_magnitude(const Eigen::VectorXd& values);
+double largest_magnitude(const Eigen::MatrixXd& values);
 
 } // namespace rubato::linalg

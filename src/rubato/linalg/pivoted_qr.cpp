@@ -62,7 +62,7 @@ Index PivotedQr::rank() const {
   return found;
 }
 
-/// As many as are not rounding of the largest one.
+/// The number of pivots that are not rounding of the largest one.
 Index PivotedQr::pivots_beyond_rounding() const {
   const auto count = static_cast<Index>(reflection_factors_.size());
   const auto rows = static_cast<double>(factors_.rows());
@@ -143,7 +143,7 @@ void PivotedQr::apply_transposed(Index reflections, MatrixXd& values) const {
             values.data(), &rows, work.data(), &work_size, &info);
 }
 
-/// Of the first `count` rows, all others 0.
+/// The solution in the order of the columns of A. The first `count` rows are given, the others are 0.
 MatrixXd PivotedQr::in_order_of_unknowns(const MatrixXd& values, Index count) const {
   MatrixXd ordered = MatrixXd::Zero(factors_.cols(), values.cols());
   for (Index j = 0; j < ordered.cols(); ++j)

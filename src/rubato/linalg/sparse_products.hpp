@@ -19,7 +19,7 @@ Eigen::MatrixXd transposed_product(const SparseMatrix& a, const Eigen::MatrixXd&
 Eigen::VectorXd symmetric_product(const SparseMatrix& a, const Eigen::VectorXd& x);
 /// AᵀA
 Eigen::MatrixXd gram_of_columns(const SparseMatrix& a);
-/// Some columns.
+/// `count` columns from `first` on, dense.
 Eigen::MatrixXd dense_columns(const SparseMatrix& a, Eigen::Index first, Eigen::Index count);
 
 } // namespace rubato::linalg

@@ -52,13 +52,6 @@ VectorXd along_of(const Vector3d& normal, const MatrixXd& moves) {
   return along;
 }
 
-/// form += factor · row rowᵀ
-void add_square(double factor, const VectorXd& row, MatrixXd& form) {
-  for (Index j = 0; j < row.size(); ++j)
-    for (Index i = 0; i < row.size(); ++i)
-      form(i, j) += factor * row[i] * row[j];
-}
-
 /// a + factor · b
 MatrixXd sum_of(const MatrixXd& a, double factor, const MatrixXd& b) {
   MatrixXd sum = a;
@@ -131,14 +124,14 @@ private:
           flow[k] += corners[i].area * along[k];
         area += corners[i].area;
       }
-      add_square(1 / area, flow, forms_.one_sided);
+      linalg::add_square(1 / area, flow, forms_.one_sided);
     }
   }
 
   void add_corner(const contact::Surface& surface, const FaceCorner& corner, const Vector3d& average) {
     const MatrixXd moves = moves_at(surface, corner);
-    add_square(corner.area, along_of(average, moves), forms_.averaged);
-    add_square(corner.area, along_of(corner.normal, moves), forms_.faceted);
+    linalg::add_square(corner.area, along_of(average, moves), forms_.averaged);
+    linalg::add_square(corner.area, along_of(corner.normal, moves), forms_.faceted);
     for (Index j = 0; j < moves.cols(); ++j)
       for (Index i = 0; i < moves.cols(); ++i)
         forms_.moved(i, j) +=

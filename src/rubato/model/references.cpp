@@ -29,13 +29,6 @@ Index rotations_of(int components) {
   return components == 3 ? 3 : 1;
 }
 
-/// matrix += factor · v vᵀ
-void add_square(double factor, const double* v, MatrixXd& matrix) {
-  for (Index j = 0; j < matrix.cols(); ++j)
-    for (Index i = 0; i < matrix.rows(); ++i)
-      matrix(i, j) += v[i] * factor * v[j];
-}
-
 /// (RᵀR)⁺ Rᵀ, rotations per radian.
 void fit(const mesh::Mesh& mesh, int components, Reference& reference) {
   const MatrixXd rigid = rigid_motions_of(reference, mesh, components);
@@ -46,7 +39,8 @@ void fit(const mesh::Mesh& mesh, int components, Reference& reference) {
   for (Index k = 0; k < values.size(); ++k) {
     reference.turns = reference.turns && values[k] > least;
     if (values[k] > least)
-      add_square(1 / values[k], &vectors(0, k), inverse);
+      linalg::add_square(1 / values[k], Eigen::Map<const Eigen::VectorXd>(&vectors(0, k), vectors.rows()),
+                         inverse);
   }
   reference.motion = MatrixXd::Zero(values.size(), rigid.rows());
   for (Index d = 0; d < rigid.rows(); ++d)

@@ -67,13 +67,6 @@ double size_of_rows(const MatrixXd& matrix, Index first, Index rows) {
   return std::sqrt(sum);
 }
 
-double largest_magnitude(const MatrixXd& matrix) {
-  double largest = 0;
-  for (Index k = 0; k < matrix.size(); ++k)
-    largest = std::max(largest, std::abs(matrix.data()[k]));
-  return largest;
-}
-
 /// The column from `first` on whose entry in a row is largest.
 Index pivot_column(const MatrixXd& columns, Index row, Index first) {
   Index pivot = first;
@@ -102,7 +95,7 @@ std::string axis_text(Vector3d axis) {
 
 /// Independent motions that span the columns, turns told apart first: what is left then are shifts.
 std::vector<Eigen::VectorXd> columns_told_apart(MatrixXd columns) {
-  const double scale = largest_magnitude(columns);
+  const double scale = linalg::largest_magnitude(columns);
   const Index rows = columns.rows();
   Index done = 0;
   for (Index row = rows - 1; row >= 0 && done < columns.cols(); --row) {
@@ -209,12 +202,8 @@ MatrixXd RigidMotions::motions_left(int body) const {
   const auto [values, vectors] = linalg::symmetric_eigen(gram_);
   const Index count = count_up_to(values, rank_tolerance * values[columns() - 1]);
   MatrixXd spanned = MatrixXd::Zero(modes_, modes_);
-  for (Index k = 0; k < count; ++k) {
-    const double* of_body = &vectors(body * modes_, k);
-    for (Index j = 0; j < modes_; ++j)
-      for (Index i = 0; i < modes_; ++i)
-        spanned(i, j) += of_body[i] * of_body[j];
-  }
+  for (Index k = 0; k < count; ++k)
+    linalg::add_square(1, Eigen::Map<const Eigen::VectorXd>(&vectors(body * modes_, k), modes_), spanned);
   const auto eigen = linalg::symmetric_eigen(spanned);
   const Index left = count_above(eigen.values, rank_tolerance);
   return part_of(eigen.vectors, 0, modes_, modes_ - left, left);

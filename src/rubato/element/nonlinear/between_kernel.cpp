@@ -154,27 +154,13 @@ private:
     energy_.set_moduli(middle_, moduli_);
     set_exact_tangent();
     const ModeFactor factor(whole(), node_dofs(), modes_);
-    const auto solved = [&] {
-      auto values = mode_residual();
-      factor.solve(values);
-      return values;
-    };
-    const auto level = [&] { return std::abs(dot(mode_residual(), solved(), modes_)); };
-    auto step = solved();
-    for (double& value : step)
-      value = -value;
-    const double before = level();
-    if (!std::isfinite(before))
-      return {Failure::not_finite};
-    CellResult result;
     const auto respond_there = [&] {
       motion_.set_modes_after(unknowns_);
       return respond();
     };
-    const auto is_better = [&] { return modes_are_solved() || level() < before; };
-    if (!go_halving(step, modes_, unknowns_, result, respond_there, is_better))
-      is_stalled_ = true;
-    return result;
+    return improve_modes(
+        factor, modes_, unknowns_, is_stalled_, [&] { return mode_residual(); }, respond_there,
+        [&] { return modes_are_solved(); });
   }
 
   ModeValues mode_residual() const {

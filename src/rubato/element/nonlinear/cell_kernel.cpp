@@ -43,7 +43,7 @@ private:
     }
   }
 
-  /// What the laws answer to the strain of the displacements.
+  /// The stresses and moduli of the laws at the strain of the displacements.
   CellResult respond() {
     for (std::size_t q = 0; q < cell_.at.seen.size(); ++q)
       cell_.at.seen[q].h = cell_.at.gradient[q];

@@ -77,7 +77,7 @@ template <int d> Eigen::Matrix3d EnhancedCell::strain_of_modes(int q) const {
   return h;
 }
 
-/// The laws' answer to the present unknowns.
+/// The stresses and moduli of the laws at the present unknowns.
 CellResult EnhancedCell::respond() {
   for (std::size_t q = 0; q < points(); ++q) {
     const int point = static_cast<int>(q);
@@ -145,24 +145,9 @@ bool EnhancedCell::is_solved() const {
 CellResult EnhancedCell::improved() {
   set_blocks(nodes());
   const ModeFactor factor(whole(), node_dofs(), modes_);
-  const auto solved = [&] {
-    auto values = residual_;
-    factor.solve(values);
-    return values;
-  };
-  const auto level = [&] { return std::abs(dot(residual_, solved(), modes_)); };
-  auto step = solved();
-  for (double& value : step)
-    value = -value;
-  const double before = level();
-  if (!std::isfinite(before))
-    return {Failure::not_finite};
-  CellResult result;
-  const auto is_better = [&] { return is_solved() || level() < before; };
-  if (!go_halving(
-          step, modes_, unknowns_, result, [&] { return respond(); }, is_better))
-    is_stalled_ = true;
-  return result;
+  return improve_modes(
+      factor, modes_, unknowns_, is_stalled_, [&]() -> const ModeValues& { return residual_; },
+      [&] { return respond(); }, [&] { return is_solved(); });
 }
 
 /// K of nodes and modes from `first` on.

@@ -7,6 +7,7 @@
 #include "rubato/element/nonlinear/block_sums.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace rubato::element {
@@ -18,7 +19,7 @@ using ModeValues = std::array<double, static_cast<std::size_t>(most_modes_of_cel
 
 class ModeFactor {
 public:
-  /// Of the square at (first, first) of a matrix.
+  /// Factors the square of a matrix that begins at (first, first).
   ModeFactor(const MatrixView& matrix, int first, int size);
 
   /// `values` becomes the solution.
@@ -35,22 +36,34 @@ double dot(const ModeValues& x, const ModeValues& y, int size);
 /// max |x_i|; NaN if one of them is.
 double largest(const ModeValues& values, int size);
 
-/// A step of Newton's method for the modes, halved while a law fails or it leads to nothing better. False: it
-/// has stalled.
-template <class Respond, class IsBetter>
-bool go_halving(const ModeValues& step, int size, ModeValues& unknowns, CellResult& result,
-                const Respond& respond, const IsBetter& is_better) {
+/// A step of Newton's method for the modes. The step is halved while a law fails or the forces on modes,
+/// measured by the inverse of `factor`, grow. `is_stalled` becomes true when no part of the step is better.
+template <class Residual, class Respond, class IsSolved>
+CellResult improve_modes(const ModeFactor& factor, int size, ModeValues& unknowns, bool& is_stalled,
+                         const Residual& residual, const Respond& respond, const IsSolved& is_solved) {
   constexpr int most_halvings = 6;
+  const auto solved = [&] {
+    ModeValues values = residual();
+    factor.solve(values);
+    return values;
+  };
+  const auto level = [&] { return std::abs(dot(residual(), solved(), size)); };
+  const ModeValues step = solved();
+  const double before = level();
+  if (!std::isfinite(before))
+    return {Failure::not_finite};
   const ModeValues start = unknowns;
+  CellResult result;
   double part = 1;
   for (int i = 0; i <= most_halvings; ++i, part /= 2) {
     for (std::size_t m = 0; m < static_cast<std::size_t>(size); ++m)
-      unknowns[m] = start[m] + part * step[m];
+      unknowns[m] = start[m] - part * step[m];
     result = respond();
-    if (result && is_better())
-      return true;
+    if (result && (is_solved() || level() < before))
+      return result;
   }
-  return false;
+  is_stalled = true;
+  return result;
 }
 
 } // namespace rubato::element
