@@ -15,9 +15,8 @@
 
 #include <string>
 
+namespace rubato::bench::assembly {
 namespace {
-
-using namespace rubato;
 
 model::Model box(const benchmark::State& state) {
   const auto n = std::to_string(state.range(0));
@@ -84,3 +83,4 @@ BENCHMARK(StiffnessOfShakenCells)->Args({32, 8})->Unit(benchmark::kMillisecond);
 BENCHMARK(Mass)->Args({16, 8})->Args({32, 8})->Args({8, 27})->Unit(benchmark::kMillisecond);
 
 } // namespace
+} // namespace rubato::bench::assembly

@@ -16,9 +16,8 @@
 #include <array>
 #include <stdexcept>
 
+namespace rubato::bench::condensed_step {
 namespace {
-
-using namespace rubato;
 
 constexpr std::array decks{"f.yaml", "c.yaml"};
 constexpr double motion = 6e-3; ///< [s]
@@ -112,3 +111,4 @@ BENCHMARK(CondensedStep)->Apply(sizes);
 BENCHMARK(MeasurePoints)->Apply(sizes);
 
 } // namespace
+} // namespace rubato::bench::condensed_step

@@ -16,9 +16,8 @@
 #include <string>
 #include <vector>
 
+namespace rubato::bench::contact_kinematics {
 namespace {
-
-using namespace rubato;
 using Eigen::VectorXd;
 
 constexpr std::array zone_names{"SEG2 of F", "QUAD4 of C", "QUAD4 of C refined by 8", "QUAD9"};
@@ -136,3 +135,4 @@ BENCHMARK(UpdateNeighbours)->DenseRange(0, 3)->Unit(benchmark::kMicrosecond);
 BENCHMARK(FindPairs)->DenseRange(0, 3)->Unit(benchmark::kMicrosecond);
 
 } // namespace
+} // namespace rubato::bench::contact_kinematics

@@ -18,9 +18,8 @@
 #include "sdnl140.hpp"
 #include <vector>
 
+namespace rubato::bench::direct_solver {
 namespace {
-
-using namespace rubato;
 using Eigen::VectorXd;
 
 struct Matrix {
@@ -90,3 +89,4 @@ BENCHMARK(SolveSplit)->Arg(1)->Arg(2)->Arg(4)->Unit(benchmark::kMicrosecond);
 BENCHMARK(SurfaceCompliance)->Arg(1)->Arg(2)->Arg(4)->Unit(benchmark::kMillisecond);
 
 } // namespace
+} // namespace rubato::bench::direct_solver

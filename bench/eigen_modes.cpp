@@ -13,9 +13,8 @@
 
 #include "sdnl140.hpp"
 
+namespace rubato::bench::eigen_modes {
 namespace {
-
-using namespace rubato;
 using linalg::SparseMatrix;
 
 constexpr int modes = 20;
@@ -63,3 +62,4 @@ BENCHMARK(Modes)->Arg(2)->Arg(4)->Arg(8)->Unit(benchmark::kMillisecond);
 BENCHMARK(ModesOfFree)->Arg(2)->Arg(4)->Arg(8)->Unit(benchmark::kMillisecond);
 
 } // namespace
+} // namespace rubato::bench::eigen_modes

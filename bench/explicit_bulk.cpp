@@ -16,9 +16,8 @@
 #include <algorithm>
 #include <string>
 
+namespace rubato::bench::explicit_bulk {
 namespace {
-
-using namespace rubato;
 
 model::Model flying_box(std::int64_t n, const std::string& material) {
   const auto divisions = std::to_string(n);
@@ -96,3 +95,4 @@ BENCHMARK(LogarithmicStepOfReducedCells)->Arg(16)->Arg(32)->Unit(benchmark::kMil
 BENCHMARK(RubberStepOfReducedCells)->Arg(16)->Arg(32)->Unit(benchmark::kMillisecond);
 
 } // namespace
+} // namespace rubato::bench::explicit_bulk

@@ -19,9 +19,8 @@
 #include <string>
 #include <vector>
 
+namespace rubato::bench::explicit_product {
 namespace {
-
-using namespace rubato;
 
 /// Inner nodes are moved by up to a fifth of a cell: no element is like another.
 void distort(mesh::Mesh& mesh, int n) {
@@ -143,3 +142,4 @@ BENCHMARK(ShuffledProduct)->Arg(16)->Arg(32)->Arg(48)->Unit(benchmark::kMillisec
 BENCHMARK(ExplicitStep)->Arg(16)->Arg(32)->Arg(48)->Unit(benchmark::kMillisecond);
 
 } // namespace
+} // namespace rubato::bench::explicit_product

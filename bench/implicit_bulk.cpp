@@ -24,9 +24,8 @@
 #include <stdexcept>
 #include <string>
 
+namespace rubato::bench::implicit_bulk {
 namespace {
-
-using namespace rubato;
 using Eigen::VectorXd;
 
 const std::string steel = "law: plastic, young: 200e9, poisson: 0.3, density: 7800, "
@@ -166,3 +165,4 @@ BENCHMARK(PlasticBulkStep)->Arg(8)->Arg(16)->Unit(benchmark::kMillisecond);
 BENCHMARK(PlasticBeamsStep)->Arg(1)->Arg(2)->Arg(4)->Unit(benchmark::kMillisecond);
 
 } // namespace
+} // namespace rubato::bench::implicit_bulk

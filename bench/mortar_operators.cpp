@@ -14,10 +14,9 @@
 #include <string>
 #include <vector>
 
+namespace rubato::bench::mortar_operators {
 namespace {
-
-using namespace rubato;
-using namespace rubato::contact;
+using namespace contact;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
@@ -97,3 +96,4 @@ void IntegrateMortar(benchmark::State& state) {
 BENCHMARK(IntegrateMortar)->DenseRange(0, 4)->Unit(benchmark::kMicrosecond);
 
 } // namespace
+} // namespace rubato::bench::mortar_operators

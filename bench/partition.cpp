@@ -20,9 +20,8 @@
 #include <memory>
 #include <string>
 
+namespace rubato::bench::partition {
 namespace {
-
-using namespace rubato;
 
 /// One of several ranks that are not there.
 class Imagined final : public Channel {
@@ -99,3 +98,4 @@ BENCHMARK(PartitionOfCube)
     ->Unit(benchmark::kMillisecond);
 
 } // namespace
+} // namespace rubato::bench::partition

@@ -22,9 +22,8 @@
 #include <functional>
 #include <string>
 
+namespace rubato::bench::threads {
 namespace {
-
-using namespace rubato;
 
 study::Study cube(int n, const std::string& law, const std::string& time) {
   const auto divisions = std::to_string(n);
@@ -193,3 +192,4 @@ BENCHMARK(FactorOfOneByThreads)->Arg(2)->UseManualTime()->Unit(benchmark::kMilli
 BENCHMARK(SolveByThreads)->Arg(2)->UseManualTime()->Unit(benchmark::kMillisecond);
 
 } // namespace
+} // namespace rubato::bench::threads

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "rubato/deck/read.hpp"
-#include "rubato/inp/read.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 

@@ -28,7 +28,7 @@ double least_gap(const Operators& operators) {
   return least;
 }
 
-struct EveryFace : testing::TestWithParam<CellType> {
+struct EveryMasterFace : testing::TestWithParam<CellType> {
   int dimension() const { return cell::topology(GetParam()).dimension; }
   /// A flat slave of faces of length 1 whose edges are not where the master's are.
   test::TwoSurfaces over(double high, int master_faces, const std::function<double(double)>& height) const {
@@ -39,7 +39,7 @@ struct EveryFace : testing::TestWithParam<CellType> {
   }
 };
 
-TEST_P(EveryFace, SeesNoOverlapBeforeAKink) {
+TEST_P(EveryMasterFace, SeesNoOverlapBeforeAKink) {
   for (const double slope : {0.02, 0.3, 1.})
     for (const double at : {3., 4.}) {
       const auto two = over(8, 8, [&](double x) { return -slope * std::max(0., x - at); });
@@ -48,12 +48,12 @@ TEST_P(EveryFace, SeesNoOverlapBeforeAKink) {
     }
 }
 
-TEST_P(EveryFace, SeesNoOverlapAboveARoundedMaster) {
+TEST_P(EveryMasterFace, SeesNoOverlapAboveARoundedMaster) {
   const auto two = over(8, 16, [](double x) { return -0.05 * (x - 4) * (x - 4); });
   EXPECT_GE(least_gap(two.operators()), -1e-14);
 }
 
-TEST_P(EveryFace, SeesAnOverlapNoDeeperThanTwice) {
+TEST_P(EveryMasterFace, SeesAnOverlapNoDeeperThanTwice) {
   const auto two = over(8, 8, [](double x) { return 0.01 - 0.3 * std::max(0., x - 4.); });
   EXPECT_LE(least_gap(two.operators()), -0.01 + 1e-13);
   EXPECT_GE(least_gap(two.operators()), -0.02 - 1e-13);
@@ -75,12 +75,12 @@ test::TwoSurfaces with_step(CellType type, double step) {
   return two;
 }
 
-TEST_P(EveryFace, SeesNoOverlapAboveAStep) {
+TEST_P(EveryMasterFace, SeesNoOverlapAboveAStep) {
   for (const double step : {0.01, 0.2, 0.6})
     EXPECT_GE(least_gap(with_step(GetParam(), step).operators()), -1e-14) << step;
 }
 
-TEST_P(EveryFace, LeavesOutWhatIsBesideButFarBelow) {
+TEST_P(EveryMasterFace, LeavesOutWhatIsBesideButFarBelow) {
   const auto two = with_step(GetParam(), 0.9);
   for (const auto& node : two.operators().nodes) {
     if (!node.kept())
@@ -97,7 +97,7 @@ TEST_P(EveryFace, LeavesOutWhatIsBesideButFarBelow) {
   }
 }
 
-TEST_P(EveryFace, LeavesOutLayersBehindTheNearest) {
+TEST_P(EveryMasterFace, LeavesOutLayersBehindTheNearest) {
   for (const double thickness : {0.05, 0.4, 0.9}) {
     const auto height = [&](double) { return -thickness; };
     test::TwoSurfaces two;
@@ -119,7 +119,7 @@ TEST_P(EveryFace, LeavesOutLayersBehindTheNearest) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Faces, EveryFace,
+INSTANTIATE_TEST_SUITE_P(Faces, EveryMasterFace,
                          testing::Values(CellType::seg2, CellType::seg3, CellType::tria3, CellType::tria6,
                                          CellType::tria7, CellType::quad4, CellType::quad8, CellType::quad9),
                          [](const auto& test) { return test::name_of(test.param); });
