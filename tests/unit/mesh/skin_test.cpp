@@ -19,7 +19,7 @@ Vector3d centre_of(const Mesh& mesh, std::span<const NodeIndex> nodes) {
   return sum / static_cast<double>(nodes.size());
 }
 
-Vector3d normal_of(const Mesh& mesh, const SurfaceFace& face) {
+Vector3d corner_normal(const Mesh& mesh, const SurfaceFace& face) {
   const auto at = [&](std::size_t i) { return mesh.points[static_cast<std::size_t>(face.nodes()[i])]; };
   if (mesh.dimension == 2)
     return (at(1) - at(0)).cross(Vector3d::UnitZ());
@@ -47,7 +47,7 @@ TEST_P(Skin, PointsOutOfTheOwners) {
   for (const auto& face : skin(mesh)) {
     EXPECT_EQ(face.face, SurfaceFace::none);
     const Vector3d out = centre_of(mesh, face.nodes()) - centre_of(mesh, mesh.nodes_of(face.owner));
-    EXPECT_GT(normal_of(mesh, face).dot(out), 0);
+    EXPECT_GT(corner_normal(mesh, face).dot(out), 0);
     EXPECT_EQ(cell::topology(GetParam()).sides[face.side].type, face.type);
   }
 }
@@ -73,7 +73,7 @@ TEST_P(Skin, FacesAreOrientedByTheOwnerWhateverTheirOwnDirection) {
       const auto& face = surface.faces[i];
       EXPECT_EQ(face.face, items[i]);
       EXPECT_TRUE(std::ranges::binary_search(body, face.owner));
-      EXPECT_NEAR(normal_of(mesh, face).normalized().y(), up, 1e-14);
+      EXPECT_NEAR(corner_normal(mesh, face).normalized().y(), up, 1e-14);
       EXPECT_TRUE(std::ranges::is_permutation(face.nodes(), mesh.nodes_of(face.face)));
     }
   }
