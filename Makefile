@@ -69,7 +69,7 @@ installed-test:
 	@test -s $(SCRATCH)/prefix/share/man/man1/rubato.1
 
 debug-test: deps ## the tests under the address and undefined-behaviour sanitizers
-	@cmake --preset debug $(LAUNCHER)
+	@cmake --preset debug -DRUBATO_UNITY=$(UNITY) $(LAUNCHER)
 	@cmake --build --preset debug -j$(JOBS)
 	ctest --preset debug -j$(JOBS)
 
