@@ -161,7 +161,7 @@ private:
   const SparseMatrix& mass_;
   const ConstrainedInverse& inverse_;
   double shift_;
-  SymmetricEigen modes_{VectorXd(), MatrixXd()};
+  SymmetricEigen modes_{VectorXd(), MatrixXd(stiffness_.rows(), 0)};
   MatrixXd moved_; ///< M φ
 };
 

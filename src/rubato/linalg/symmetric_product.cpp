@@ -22,6 +22,8 @@ void add_symmetric_product(double factor, const Eigen::MatrixXd& matrix, const d
   if (matrix.rows() != matrix.cols())
     throw std::invalid_argument("a symmetric matrix that is not square");
   const auto size = static_cast<int>(matrix.rows());
+  if (size == 0)
+    return; // Eigen would take a reference to the first entry
   if (size <= unblocked) {
     Eigen::Map<Eigen::VectorXd>(y, size).noalias() +=
         factor * matrix.selfadjointView<Eigen::Lower>() * Eigen::Map<const Eigen::VectorXd>(x, size);
