@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// What a build with RUBATO_RUNS_ONLY has in place of the commands and readers that it leaves out.
+// A build with RUBATO_RUNS_ONLY compiles this source in place of plot.cpp, report.cpp and read_inp.cpp.
 #include "rubato/core/error.hpp"
 
 #include <fmt/format.h>

@@ -27,8 +27,8 @@ deck::Tree tree_of(const inp::Places& places) {
   return tree;
 }
 
-/// The deck that the steps make, with changes. Lines of that text mean nothing to whoever wrote the .inp
-/// file.
+/// The deck of the steps, with changes. Faults of its text name the .inp file without a line, because lines
+/// of the text are not those of the file.
 deck::Deck changed(deck::Deck deck, const std::filesystem::path& file, std::span<const deck::Setting> changes,
                    std::span<const std::string> only) {
   for (auto& study : deck.runs)

@@ -2,7 +2,11 @@
 #include "rubato/mesh/io/mesh_file.hpp"
 
 #include "rubato/core/error.hpp"
+#include "rubato/mesh/io/gmsh.hpp"
+#include "rubato/mesh/io/inp.hpp"
+#include "rubato/mesh/io/mail.hpp"
 #include "rubato/mesh/io/med.hpp"
+#include "rubato/mesh/io/msh.hpp"
 #include "rubato/mesh/io/other_formats.hpp"
 #include "rubato/mesh/io/vtu.hpp"
 #include "rubato/mesh/rounding.hpp"
@@ -21,27 +25,43 @@ namespace {
 namespace fs = std::filesystem;
 
 /// One row a format: all that the rest of the program knows of it.
-std::vector<Format> rows() {
-  std::vector<Format> rows{
+const std::vector<Format>& formats() {
+  static const std::vector<Format> rows{
       {{".med", ".rmed", ".mmed"},
        {"\x89HDF\r\n"},
        [](const fs::path& path, const std::string& mesh_name) { return read_med(path, mesh_name); },
        [](const fs::path& path, const Mesh& mesh) { write_med(path, mesh); },
-       "MED, read and written"}};
-  const auto others = other_formats();
-  rows.insert(rows.end(), others.begin(), others.end());
-  rows.push_back(
+       "MED, read and written"},
+      {{".msh"},
+       {"$MeshFormat"},
+       [](const fs::path& path, const std::string&) { return read_msh(path); },
+       nullptr,
+       "Gmsh 2 and 4.1, text and binary, read",
+       are_other_formats_built_in()},
+      {{".mail"},
+       {"TITRE", "COOR_2D", "COOR_3D"},
+       [](const fs::path& path, const std::string&) { return read_mail(path); },
+       [](const fs::path& path, const Mesh& mesh) { write_mail(path, mesh); },
+       "Code_Aster, read and written",
+       are_other_formats_built_in()},
+      {{".inp"},
+       {"*HEADING", "*Heading", "*NODE", "*Node"},
+       [](const fs::path& path, const std::string&) { return read_inp(path); },
+       nullptr,
+       "Abaqus and CalculiX, read",
+       are_other_formats_built_in()},
       {{".vtu"},
        {},
        nullptr,
        [](const fs::path& path, const Mesh& mesh) { write_vtu(path, mesh, {}, {.which = VtuCells::all}); },
-       "VTK, written"});
+       "VTK, written"},
+      {{".geo"},
+       {},
+       [](const fs::path& path, const std::string&) { return read_geo(path); },
+       nullptr,
+       "Gmsh geometry, meshed by Gmsh's library and read",
+       is_gmsh_built_in()}};
   return rows;
-}
-
-const std::vector<Format>& formats() {
-  static const auto all = rows();
-  return all;
 }
 
 std::string lower_extension(const fs::path& path) {

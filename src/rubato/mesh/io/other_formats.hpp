@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Inside the module only: mesh formats besides MED and VTK.
+/// Inside the module only: formats that a build with RUBATO_RUNS_ONLY leaves out.
 #pragma once
-
-#include "rubato/mesh/io/mesh_file.hpp"
-
-#include <vector>
 
 namespace rubato::mesh {
 
-/// Gmsh's .msh and .geo, Code_Aster's .mail, Abaqus' and CalculiX' .inp. A build with RUBATO_RUNS_ONLY
-/// refuses to read them.
-std::vector<Format> other_formats();
+/// Whether .msh, .mail and .inp are read. In a build with RUBATO_RUNS_ONLY their functions throw InputError.
+bool are_other_formats_built_in();
 
 } // namespace rubato::mesh

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// What a build with RUBATO_RUNS_ONLY has in place of other_formats.cpp.
+// A build with RUBATO_RUNS_ONLY compiles this source in place of those of .msh, .mail and .inp.
 #include "rubato/core/error.hpp"
+#include "rubato/mesh/io/inp.hpp"
+#include "rubato/mesh/io/mail.hpp"
+#include "rubato/mesh/io/msh.hpp"
 #include "rubato/mesh/io/other_formats.hpp"
 
 #include <fmt/format.h>
@@ -8,25 +11,32 @@
 namespace rubato::mesh {
 namespace {
 
-Mesh refuse(const std::filesystem::path& path, const std::string&) {
-  throw InputError(fmt::format(
-      "mesh file '{}' cannot be read: this program was built with RUBATO_RUNS_ONLY, as `make demo` "
-      "does, and reads MED only; `make build` builds all formats",
-      path.string()));
+[[noreturn]] void refuse(const std::filesystem::path& path) {
+  throw InputError(fmt::format("mesh file '{}': its format is not in this program, which was built with "
+                               "RUBATO_RUNS_ONLY, as `make demo` does; `make build` builds all formats",
+                               path.string()));
 }
 
 } // namespace
 
-std::vector<Format> other_formats() {
-  return {{{".msh"}, {"$MeshFormat"}, refuse, nullptr, "Gmsh, not built", false},
-          {{".mail"}, {"TITRE", "COOR_2D", "COOR_3D"}, refuse, nullptr, "Code_Aster, not built", false},
-          {{".inp"},
-           {"*HEADING", "*Heading", "*NODE", "*Node"},
-           refuse,
-           nullptr,
-           "Abaqus and CalculiX, not built",
-           false},
-          {{".geo"}, {}, refuse, nullptr, "Gmsh geometry, not built", false}};
+bool are_other_formats_built_in() {
+  return false;
+}
+
+Mesh read_msh(const std::filesystem::path& path, const std::filesystem::path&) {
+  refuse(path);
+}
+
+Mesh read_mail(const std::filesystem::path& path) {
+  refuse(path);
+}
+
+void write_mail(const std::filesystem::path& path, const Mesh&) {
+  refuse(path);
+}
+
+Mesh read_inp(const std::filesystem::path& path) {
+  refuse(path);
 }
 
 } // namespace rubato::mesh
