@@ -114,7 +114,7 @@ private:
 };
 
 /// No more than half a gigabyte beyond what is taken already. The address sanitizer reserves more than any
-/// limit and has its own (foreign_leaks.cpp).
+/// limit and has its own (allocation_limit.cpp).
 class LimitedMemory {
 public:
   LimitedMemory() {
