@@ -9,6 +9,7 @@
 #include "rubato/domain/assembly.hpp"
 
 #include "rubato/deck/read.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 
 #include <benchmark/benchmark.h>

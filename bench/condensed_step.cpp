@@ -5,6 +5,7 @@
 /// Arguments: 0 F, 1 C; how often cells are cut. Counters: points in contact; iterations of the step;
 /// iteration, the seconds of processor time of one when a forward and backward solve are taken off.
 #include "rubato/core/processor_time.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/simulation/time_integration.hpp"
 #include "rubato/step/advance.hpp"

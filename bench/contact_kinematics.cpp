@@ -8,6 +8,7 @@
 /// Counter: seconds of processor time for one point.
 #include "rubato/contact/discretisation.hpp"
 #include "rubato/deck/read.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 
 #include <benchmark/benchmark.h>

@@ -9,6 +9,7 @@
 
 #include "rubato/linalg/memory.hpp"
 #include "rubato/linalg/split_factor.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/step/common/effective_system.hpp"
 #include "rubato/step/full/linear_step.hpp"

@@ -7,6 +7,7 @@
 #include "rubato/linalg/eigen_modes.hpp"
 
 #include "rubato/linalg/direct_solver.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 
 #include <benchmark/benchmark.h>

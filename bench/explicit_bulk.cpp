@@ -8,6 +8,7 @@
 ///   …StepOfReducedCells     the same with one point a cell
 /// Counter Mel/s: millions of elements a second of processor time, what is done between steps included.
 #include "rubato/deck/read.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/step/explicit/explicit_motion.hpp"
 

@@ -8,6 +8,7 @@
 /// Counters: Mel/s, millions of elements a second of processor time; GB/s, vector or matrix bytes read.
 #include "rubato/deck/read.hpp"
 #include "rubato/linalg/block_matrix.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/step/explicit/explicit_motion.hpp"
 

@@ -13,6 +13,7 @@
 /// itself in the same process.
 #include "rubato/core/processor_time.hpp"
 #include "rubato/deck/read.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/simulation/time_integration.hpp"
 #include "rubato/step/advance.hpp"

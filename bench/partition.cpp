@@ -8,6 +8,7 @@
 #include "rubato/core/channel.hpp"
 #include "rubato/deck/read.hpp"
 #include "rubato/domain/rank_parts.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/model/own_cells.hpp"
 

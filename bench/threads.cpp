@@ -11,6 +11,7 @@
 ///   SolveByThreads          of C refined 8
 #include "rubato/deck/read.hpp"
 #include "rubato/domain/assembly.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/simulation/time_integration.hpp"
 #include "rubato/step/common/effective_system.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Fields of states, contact points and resultants, and MED files of fields.
+#include "rubato/contact/zone.hpp"
 #include "rubato/core/error.hpp"
 #include "rubato/core/naming.hpp"
 #include "rubato/mesh/io/med.hpp"

@@ -8,6 +8,7 @@
 #include "rubato/mesh/io/med.hpp"
 #include "rubato/mesh/io/mesh_file.hpp"
 #include "rubato/mesh/names.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 
 #include <fmt/format.h>

@@ -2,12 +2,15 @@
 // Models: numbering, matrices, loads.
 #include "rubato/model/model.hpp"
 
+#include "rubato/contact/zone.hpp"
 #include "rubato/core/error.hpp"
 #include "rubato/core/naming.hpp"
 #include "rubato/core/threads.hpp"
 #include "rubato/mesh/made_groups.hpp"
 #include "rubato/mesh/names.hpp"
 #include "rubato/mesh/orientation.hpp"
+#include "rubato/model/build_model.hpp"
+#include "rubato/model/model_forces.hpp"
 #include "rubato/model/sparse_matrix.hpp"
 #include "rubato/simulation/memento.hpp"
 

@@ -3,6 +3,7 @@
 
 #include "rubato/deck/read.hpp"
 #include "rubato/model/model.hpp"
+#include "rubato/model/node_label.hpp"
 #include "rubato/results/run_folder.hpp"
 #include "rubato/results/stored_run.hpp"
 

@@ -2,6 +2,7 @@
 #include "rubato/deck/groups.hpp"
 #include "rubato/mesh/io/mesh_file.hpp"
 #include "rubato/mesh/made_groups.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 
 #include <fmt/format.h>

@@ -2,6 +2,7 @@
 #include "rubato/modes/modes.hpp"
 
 #include "rubato/core/naming.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/modes/modal_study.hpp"
 #include "rubato/results/mode_files.hpp"

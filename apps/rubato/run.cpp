@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/core/threads.hpp"
 #include "rubato/linalg/petsc_module.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/results/run_folder.hpp"
 #include "rubato/run/run_study.hpp"

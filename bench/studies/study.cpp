@@ -3,6 +3,7 @@
 
 #include "rubato/core/processor_time.hpp"
 #include "rubato/linalg/direct_solver.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/run/run_study.hpp"
 #include "rubato/step/common/effective_system.hpp"

@@ -3,6 +3,7 @@
 #include "rubato/domain/assembly.hpp"
 #include "rubato/domain/recovery.hpp"
 #include "rubato/linalg/block_matrix.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/study/study.hpp"
 

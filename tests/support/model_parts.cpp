@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "support/model_parts.hpp"
 
+#include "rubato/contact/shared_nodes.hpp"
+#include "rubato/contact/zone.hpp"
+#include "rubato/domain/cut.hpp"
 #include "rubato/model/model.hpp"
 
 namespace rubato::test {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "support/walk.hpp"
 
+#include "rubato/contact/zone.hpp"
 #include "rubato/deck/read.hpp"
 #include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"

@@ -4,6 +4,7 @@
 #include "rubato/deck/read.hpp"
 #include "rubato/mesh/convert.hpp"
 #include "rubato/mesh/made_groups.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 
 #include <Eigen/Geometry>

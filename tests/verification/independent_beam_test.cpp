@@ -2,6 +2,7 @@
 /// Modeling F without contact against a finite-element program of its own: bilinear quadrangles in plane
 /// stress, dense matrices, HHT written for accelerations (T. J. R. Hughes, The Finite Element Method, ch. 9).
 /// It shares nothing with rubato but the nodes and cells of the mesh.
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 
 #include <Eigen/Dense>

@@ -2,7 +2,9 @@
 #include "verification/mortar_patch.hpp"
 
 #include "rubato/contact/mortar/operators.hpp"
+#include "rubato/contact/zone.hpp"
 #include "rubato/deck/read.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/step/report.hpp"
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/shared_nodes.hpp"
 
+#include "rubato/contact/kinematics.hpp"
 #include "rubato/contact/small_vectors.hpp"
+#include "rubato/contact/zone.hpp"
 
 #include <algorithm>
 #include <cmath>

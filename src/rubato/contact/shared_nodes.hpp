@@ -7,9 +7,6 @@
 /// tangential to both surfaces: along the edge that these form in space, along none in the plane.
 #pragma once
 
-#include "rubato/contact/kinematics.hpp"
-#include "rubato/contact/zone.hpp"
-
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -17,6 +14,9 @@
 #include <vector>
 
 namespace rubato::contact {
+
+struct Kinematics;
+struct Zone;
 
 struct PointOfZone {
   std::size_t zone = 0;

@@ -3,18 +3,16 @@
 #pragma once
 
 #include "rubato/domain/dof_map.hpp"
+#include "rubato/domain/sparse_matrix.hpp"
 #include "rubato/domain/work_shares.hpp"
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace rubato::domain {
-
-using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
 /// Of the components × components block that two nodes have in a matrix.
 enum class BlockEntries {

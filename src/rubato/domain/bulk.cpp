@@ -2,6 +2,8 @@
 #include "rubato/domain/bulk.hpp"
 
 #include "rubato/cell/reference_cell.hpp"
+#include "rubato/core/error.hpp"
+#include "rubato/domain/behaviour.hpp"
 #include "rubato/domain/undeformed.hpp"
 #include "rubato/mesh/names.hpp"
 
@@ -24,6 +26,11 @@ std::string middle_of(const mesh::Mesh& mesh, mesh::CellIndex cell) {
 }
 
 } // namespace
+
+bool Bulk::is_constant(std::size_t i) const {
+  const auto* found = behaviour(i);
+  return found == nullptr || found->constant;
+}
 
 bool is_linear(const Bulk& bulk) {
   for (std::size_t i = 0; i < bulk.cells.size(); ++i)

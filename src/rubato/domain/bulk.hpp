@@ -2,32 +2,28 @@
 /// The cells that deform, and what each is made of.
 #pragma once
 
-#include "rubato/core/error.hpp"
-#include "rubato/element/element.hpp"
-#include "rubato/element/nonlinear.hpp"
-#include "rubato/material/expansion.hpp"
+#include "rubato/element/section.hpp"
 #include "rubato/material/law.hpp"
-#include "rubato/material/law_field.hpp"
-#include "rubato/material/point_law.hpp"
 #include "rubato/mesh/mesh.hpp"
 
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
+#include <string>
 #include <vector>
+
+namespace rubato {
+struct Fault;
+} // namespace rubato
+
+namespace rubato::material {
+class LawField;
+} // namespace rubato::material
 
 namespace rubato::domain {
 
-/// How cells are evaluated whose forces are not ∫ Bᵀ D B u of all their points.
-struct Behaviour {
-  material::PointLaw law;
-  element::StrainKind strain = element::StrainKind::small;
-  element::Formulation formulation = element::Formulation::full; ///< full of cells that it is not offered for
-  bool constant = false;                                 ///< whether one stiffness holds for every motion
-  std::optional<material::FullExpansion> expansion = {}; ///< by temperature, in the axes of the model
-};
+struct Behaviour;
 
 struct Bulk {
   element::Section section;
@@ -37,9 +33,9 @@ struct Bulk {
   /// Of each law that depends on the place; null where it does not, empty when none does. `laws` have such a
   /// law at one place of its cells.
   std::vector<std::shared_ptr<const material::LawField>> fields = {};
-  /// Of each law that is evaluated otherwise; `laws` have what it is at small strains that come at once.
-  /// Empty when all cells are linear and integrated in full.
-  std::vector<std::optional<Behaviour>> behaviours = {};
+  /// Of each law that is evaluated otherwise, else null; `laws` have what it is at small strains that come at
+  /// once. Empty when all cells are linear and integrated in full.
+  std::vector<std::shared_ptr<const Behaviour>> behaviours = {};
 
   const material::Law& law(std::size_t i) const { return laws[static_cast<std::size_t>(law_of_cell[i])]; }
   /// Null when the law of the cell is the same everywhere.
@@ -48,23 +44,14 @@ struct Bulk {
   }
   /// Null when the cell is linear and integrated in full.
   const Behaviour* behaviour(std::size_t i) const {
-    if (behaviours.empty())
-      return nullptr;
-    const auto& behaviour = behaviours[static_cast<std::size_t>(law_of_cell[i])];
-    return behaviour ? &*behaviour : nullptr;
+    return behaviours.empty() ? nullptr : behaviours[static_cast<std::size_t>(law_of_cell[i])].get();
   }
   /// Whether forces of the cell are a constant matrix times its displacements.
-  bool is_constant(std::size_t i) const {
-    const auto* found = behaviour(i);
-    return found == nullptr || found->constant;
-  }
+  bool is_constant(std::size_t i) const;
 };
 
 /// Whether forces are a constant matrix times the displacements in all cells.
 bool is_linear(const Bulk& bulk);
-
-/// Of a cell of that type with that behaviour.
-element::CellKind kind_of(const Bulk& bulk, const Behaviour& behaviour, CellType type);
 
 /// The coordinates of one cell's nodes, copied beside each other.
 class CellPoints {

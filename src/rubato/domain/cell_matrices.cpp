@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/domain/cell_matrices.hpp"
 
+#include "rubato/cell/shape_table.hpp"
+#include "rubato/domain/behaviour.hpp"
+#include "rubato/element/element.hpp"
+#include "rubato/element/nonlinear.hpp"
+#include "rubato/material/law_field.hpp"
+
 #include <limits>
 #include <vector>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/domain/cut.hpp"
 
+#include "rubato/domain/behaviour.hpp"
 #include "rubato/domain/cell_matrices.hpp"
 
 #include <algorithm>

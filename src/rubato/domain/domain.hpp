@@ -2,31 +2,36 @@
 /// What deforms: internal forces, tangents and stored energy of all bodies and of the springs on them.
 #pragma once
 
-#include "rubato/domain/balance.hpp"
 #include "rubato/domain/evaluation.hpp"
-#include "rubato/domain/linear_domain.hpp"
-#include "rubato/domain/nonlinear_domain.hpp"
 #include "rubato/domain/quadrature_states.hpp"
 
 #include <Eigen/Core>
 
+#include <memory>
+#include <span>
 #include <variant>
 
 namespace rubato::domain {
+
+struct Balance;
+class Heat;
+struct LawSpring;
+class LinearDomain;
+class NonlinearDomain;
 
 /// A value: whatever a step changes is given and given back. Quadrature states are given as they are at the
 /// start of a step and written as they are at its end, so a step may be evaluated many times and rejected
 /// without a trace.
 ///
 /// The kinds of domains are the alternatives of one variant. A new kind is a file with a class that has
-/// LinearDomain's functions, and its row in `Kind`.
+/// LinearDomain's functions, and its row in `Kind`. Copies share theirs, which nothing changes.
 class Domain {
 public:
   using Kind = std::variant<LinearDomain, NonlinearDomain>;
 
   /// No dofs.
-  Domain() = default;
-  /// `states`: those of cells that nothing has happened to.
+  Domain();
+  /// `states`: those of cells that nothing has happened to. Callers include the headers of both kinds.
   Domain(Kind kind, QuadratureStates states);
 
   /// Answers what is wanted at the end of a step. `old`: the states at its start; `now`: another object,
@@ -90,7 +95,7 @@ public:
   const QuadratureStates& initial_states() const { return initial_states_; }
 
 private:
-  Kind kind_;
+  std::shared_ptr<const Kind> kind_; ///< there is one
   QuadratureStates initial_states_;
 };
 

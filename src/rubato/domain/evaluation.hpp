@@ -2,17 +2,16 @@
 /// What a domain is asked and where it answers.
 #pragma once
 
-#include "rubato/domain/assembly.hpp"
 #include "rubato/domain/cell_failure.hpp"
-#include "rubato/domain/law_path.hpp"
-#include "rubato/element/nonlinear.hpp"
+#include "rubato/domain/sparse_matrix.hpp"
 
 #include <Eigen/Core>
 
 #include <functional>
-#include <optional>
 
 namespace rubato::domain {
+
+struct LawPath;
 
 /// What internal forces are those of.
 enum class ForcesOf {

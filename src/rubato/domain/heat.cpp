@@ -2,7 +2,9 @@
 #include "rubato/domain/heat.hpp"
 
 #include "rubato/cell/shape_table.hpp"
+#include "rubato/core/error.hpp"
 #include "rubato/domain/cell_matrices.hpp"
+#include "rubato/element/element.hpp"
 #include "rubato/mesh/names.hpp"
 
 #include <fmt/format.h>

@@ -2,6 +2,7 @@
 #include "rubato/domain/nonlinear_cells.hpp"
 
 #include "rubato/cell/wave_patterns.hpp"
+#include "rubato/domain/behaviour.hpp"
 #include "rubato/domain/followed_points.hpp"
 #include "rubato/domain/undeformed.hpp"
 #include "rubato/element/energy_momentum.hpp"

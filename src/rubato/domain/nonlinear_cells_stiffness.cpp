@@ -2,6 +2,7 @@
 // How stiff the cells are, without a matrix of the whole.
 #include "rubato/cell/height.hpp"
 #include "rubato/domain/cell_rates.hpp"
+#include "rubato/domain/law_path.hpp"
 #include "rubato/domain/nonlinear_cells.hpp"
 
 #include <algorithm>

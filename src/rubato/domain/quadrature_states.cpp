@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/domain/quadrature_states.hpp"
 
+#include "rubato/domain/behaviour.hpp"
 #include "rubato/domain/bulk.hpp"
 #include "rubato/element/nonlinear.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/domain/rank_states.hpp"
 
+#include "rubato/domain/behaviour.hpp"
 #include "rubato/domain/point_numbers.hpp"
 
 #include <algorithm>

@@ -5,6 +5,7 @@
 #include "rubato/cell/reference_cell.hpp"
 #include "rubato/cell/shape_table.hpp"
 #include "rubato/domain/balance.hpp"
+#include "rubato/domain/behaviour.hpp"
 #include "rubato/domain/cell_matrices.hpp"
 #include "rubato/linalg/dense_decompositions.hpp"
 #include "rubato/linalg/dense_products.hpp"

@@ -12,6 +12,7 @@
 
 #include "rubato/cell/shape_table.hpp"
 #include "rubato/cell/topology.hpp"
+#include "rubato/element/section.hpp"
 #include "rubato/material/law.hpp"
 #include "rubato/study/study.hpp"
 
@@ -20,17 +21,6 @@
 #include <span>
 
 namespace rubato::element {
-
-struct Section {
-  study::Physics physics = study::Physics::solid;
-  double thickness = 1; ///< plane stress and plane strain only [length]
-};
-
-/// Displacement components a node: 3 for solids, else 2.
-int component_count(study::Physics physics);
-
-/// What a length² or length³ of the model's drawing stands for: 1, the thickness, or 2πr at radius `x`.
-double measure(const Section& section, double x);
 
 /// Element stiffness ∫ Bᵀ D B into `k`, square of size nodes · d, of a law with a constant tangent D.
 void stiffness(CellType type, std::span<const Eigen::Vector3d> points, const material::Law& law,

@@ -12,4 +12,7 @@ enum class Failure {
   not_finite      ///< a force that is no number
 };
 
+/// The reason in words: "a point is turned inside out (J ≤ 0)".
+const char* described(Failure failure);
+
 } // namespace rubato::element

@@ -106,9 +106,6 @@ struct CellResult {
   explicit operator bool() const { return failure == Failure::none; }
 };
 
-/// The reason in words: "a point is turned inside out (J ≤ 0)".
-const char* described(Failure failure);
-
 /// Evaluates a cell. Where it fails, what was written has no meaning. Throws std::invalid_argument for a kind
 /// that is not offered.
 CellResult evaluate(const CellKind& kind, const PointLaws& laws, const CellInput& input,

@@ -6,13 +6,27 @@
 #pragma once
 
 #include "rubato/core/field_function.hpp"
-#include "rubato/load/nodal_forces.hpp"
+#include "rubato/mesh/mesh.hpp"
+
+#include <Eigen/Core>
 
 #include <array>
 #include <functional>
+#include <span>
 #include <vector>
 
+namespace rubato::domain {
+struct Bulk;
+struct DofMap;
+} // namespace rubato::domain
+
+namespace rubato::element {
+struct Section;
+} // namespace rubato::element
+
 namespace rubato::load {
+
+struct Face;
 
 /// What a value of 1 at one place puts on the nodes.
 struct LoadedPlace {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
 
 namespace rubato::load {

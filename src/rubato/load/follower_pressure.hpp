@@ -12,16 +12,27 @@
 /// Comput. Struct. 18 (1984) 1099–1114.
 #pragma once
 
+#include "rubato/core/cell_type.hpp"
 #include "rubato/core/field_function.hpp"
-#include "rubato/domain/assembly.hpp"
-#include "rubato/load/nodal_forces.hpp"
+#include "rubato/domain/sparse_matrix.hpp"
+#include "rubato/element/section.hpp"
 
 #include <Eigen/Core>
 
 #include <span>
 #include <vector>
 
+namespace rubato::domain {
+struct DofMap;
+} // namespace rubato::domain
+
+namespace rubato::mesh {
+struct Mesh;
+} // namespace rubato::mesh
+
 namespace rubato::load {
+
+struct Face;
 
 /// A face under pressure. Nodes stand as those of load::Face.
 struct FollowerFace {

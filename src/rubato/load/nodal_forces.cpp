@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/load/nodal_forces.hpp"
 
+#include "rubato/core/error.hpp"
 #include "rubato/load/cell_masses.hpp"
 #include "rubato/load/face_integrals.hpp"
 #include "rubato/mesh/names.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/contact/zone.hpp"
 #include "rubato/core/time_integral.hpp"
 #include "rubato/linalg/ranked_matrix.hpp"
 #include "rubato/model/build.hpp"

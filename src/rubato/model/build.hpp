@@ -3,6 +3,7 @@
 /// the first.
 #pragma once
 
+#include "rubato/core/error.hpp"
 #include "rubato/domain/assembly.hpp"
 #include "rubato/model/force.hpp"
 #include "rubato/model/fwd.hpp"

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/small_vectors.hpp"
+#include "rubato/contact/zone.hpp"
 #include "rubato/domain/law_springs.hpp"
 #include "rubato/linalg/sparse_sum.hpp"
 #include "rubato/model/build.hpp"
 #include "rubato/model/model.hpp"
+#include "rubato/model/node_label.hpp"
 
 #include <fmt/format.h>
 

@@ -7,6 +7,7 @@
 #include "rubato/linalg/sparse_products.hpp"
 #include "rubato/model/bodies.hpp"
 #include "rubato/model/model.hpp"
+#include "rubato/model/node_label.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/model/large_contact.hpp"
 
+#include "rubato/contact/zone.hpp"
 #include "rubato/model/model.hpp"
 
 #include <fmt/format.h>

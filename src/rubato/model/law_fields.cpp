@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/cell/shape_table.hpp"
 #include "rubato/contact/small_vectors.hpp"
 #include "rubato/domain/cell_matrices.hpp"
+#include "rubato/element/element.hpp"
+#include "rubato/material/law_field.hpp"
 #include "rubato/model/build.hpp"
 
 #include <fmt/format.h>

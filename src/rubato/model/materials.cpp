@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/domain/behaviour.hpp"
+#include "rubato/material/law_field.hpp"
 #include "rubato/material/make_point_law.hpp"
 #include "rubato/mesh/names.hpp"
 #include "rubato/model/build.hpp"
 #include "rubato/model/model.hpp"
+#include "rubato/model/node_label.hpp"
 #include "rubato/study/formulation.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 namespace rubato::model {
 namespace {
@@ -132,17 +137,18 @@ element::Formulation formulation(study::Formulation kind) {
   return element::Formulation::full;
 }
 
-/// Nothing where cells are linear and integrated in full.
-std::optional<domain::Behaviour> behaviour_of(const study::Study& study, const study::Material& material) {
+/// Null where cells are linear and integrated in full.
+std::shared_ptr<const domain::Behaviour> behaviour_of(const study::Study& study,
+                                                      const study::Material& material) {
   const auto wanted = study::wanted_formulation(material);
   if (study::has_constant_stiffness(material) && wanted == study::Formulation::full)
-    return std::nullopt;
+    return nullptr;
   domain::Behaviour behaviour{material::make_point_law(material, study.physics),
                               strain_kind(study::strain_of(material)), formulation(wanted),
                               study::is_linear(study, material)};
   if (study::is_heated(study, material))
     behaviour.expansion = material::expansion_strain(material::make_law(material), *material.expansion);
-  return behaviour;
+  return std::make_shared<const domain::Behaviour>(std::move(behaviour));
 }
 
 } // namespace
@@ -158,15 +164,14 @@ domain::Bulk make_bulk(const study::Study& study, const mesh::Mesh& mesh, std::v
     any_field = any_field || field != nullptr;
     bulk.fields.push_back(field);
     bulk.laws.push_back(field ? material::Law{} : material::make_law(material));
-    bulk.behaviours.push_back(field && field->varies_tangent() ? std::nullopt
-                                                               : behaviour_of(study, material));
+    bulk.behaviours.push_back(field && field->varies_tangent() ? nullptr : behaviour_of(study, material));
     assignment.give(static_cast<int>(i));
   }
   if (faults.empty())
     assignment.report_cells_without_material();
   if (!any_field)
     bulk.fields.clear();
-  if (std::ranges::none_of(bulk.behaviours, [](const auto& one) { return one.has_value(); }))
+  if (std::ranges::none_of(bulk.behaviours, [](const auto& one) { return one != nullptr; }))
     bulk.behaviours.clear();
   bulk.cells = assignment.cells();
   for (const auto cell : bulk.cells)

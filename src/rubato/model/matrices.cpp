@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/contact/zone.hpp"
 #include "rubato/domain/domain.hpp"
 #include "rubato/domain/linear_domain.hpp"
 #include "rubato/domain/nonlinear_cells.hpp"
 #include "rubato/domain/nonlinear_domain.hpp"
 #include "rubato/linalg/ranked_matrix.hpp"
 #include "rubato/linalg/sparse_sum.hpp"
+#include "rubato/load/follower_pressure.hpp"
 #include "rubato/model/build.hpp"
 #include "rubato/model/contact_mass.hpp"
 #include "rubato/model/gauges.hpp"

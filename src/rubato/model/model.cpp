@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/model/model.hpp"
 
+#include "rubato/contact/shared_nodes.hpp"
 #include "rubato/core/function.hpp"
+#include "rubato/domain/cut.hpp"
 #include "rubato/linalg/dense_products.hpp"
 #include "rubato/linalg/ranked_matrix.hpp"
+#include "rubato/load/follower_pressure.hpp"
 #include "rubato/mesh/convert.hpp"
 #include "rubato/mesh/generate.hpp"
 #include "rubato/mesh/io/mesh_file.hpp"
@@ -13,10 +16,13 @@
 #include "rubato/mesh/refine.hpp"
 #include "rubato/mesh/rounding.hpp"
 #include "rubato/model/build.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/formulation_notes.hpp"
 #include "rubato/model/gauges.hpp"
 #include "rubato/model/large_contact.hpp"
+#include "rubato/model/model_forces.hpp"
 #include "rubato/model/mortar_edges.hpp"
+#include "rubato/model/node_label.hpp"
 #include "rubato/model/rigid_motions.hpp"
 #include "rubato/model/rigid_sides.hpp"
 #include "rubato/model/shared_nodes_note.hpp"
@@ -32,6 +38,14 @@
 #include <tuple>
 
 namespace rubato::model {
+
+Model::Model() = default;
+Model::Model(const Model& other) = default;
+Model::Model(Model&& other) noexcept = default;
+Model& Model::operator=(const Model& other) = default;
+Model& Model::operator=(Model&& other) noexcept = default;
+Model::~Model() = default;
+
 namespace {
 
 using Eigen::VectorXd;

@@ -3,24 +3,17 @@
 #pragma once
 
 #include "rubato/constraint/reduction.hpp"
-#include "rubato/contact/shared_nodes.hpp"
-#include "rubato/contact/zone.hpp"
 #include "rubato/core/ranks.hpp"
 #include "rubato/domain/bulk.hpp"
-#include "rubato/domain/cut.hpp"
 #include "rubato/domain/dof_map.hpp"
 #include "rubato/domain/domain.hpp"
-#include "rubato/domain/heat.hpp"
-#include "rubato/load/follower_pressure.hpp"
+#include "rubato/domain/law_springs.hpp"
 #include "rubato/mesh/mesh.hpp"
-#include "rubato/model/build_model.hpp"
 #include "rubato/model/force.hpp"
 #include "rubato/model/gauge.hpp"
 #include "rubato/model/ground_pull.hpp"
 #include "rubato/model/initial_motion.hpp"
 #include "rubato/model/modal_damping.hpp"
-#include "rubato/model/model_forces.hpp"
-#include "rubato/model/node_label.hpp"
 #include "rubato/model/preloads.hpp"
 #include "rubato/model/probed_cells.hpp"
 #include "rubato/model/products.hpp"
@@ -36,13 +29,32 @@
 #include <string>
 #include <vector>
 
+namespace rubato::contact {
+struct PointOfZone;
+struct Zone;
+} // namespace rubato::contact
+
 namespace rubato::domain {
+struct CutForces;
+class Heat;
 class RankParts;
 } // namespace rubato::domain
 
+namespace rubato::load {
+struct FollowerPressure;
+} // namespace rubato::load
+
 namespace rubato::model {
 
+/// Where a type is only declared here, sources that use its member include its header.
 struct Model {
+  Model();
+  Model(const Model& other);
+  Model(Model&& other) noexcept;
+  Model& operator=(const Model& other);
+  Model& operator=(Model&& other) noexcept;
+  ~Model();
+
   study::Study study;
   Threads threads; ///< that the run may use
   Ranks ranks;     ///< that work on it

@@ -4,6 +4,7 @@
 #include "rubato/contact/small_vectors.hpp"
 #include "rubato/linalg/dense_decompositions.hpp"
 #include "rubato/linalg/dense_products.hpp"
+#include "rubato/load/follower_pressure.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/model/surface_normals.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/model/own_cells.hpp"
 
+#include "rubato/contact/zone.hpp"
 #include "rubato/core/index.hpp"
 #include "rubato/load/follower_pressure.hpp"
 #include "rubato/model/model.hpp"

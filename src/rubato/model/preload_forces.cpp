@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // What tightens bolts, and where their shortening is kept.
 #include "rubato/model/build.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 
 #include <algorithm>

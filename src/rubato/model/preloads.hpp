@@ -7,7 +7,6 @@
 /// the cut transmits.
 #pragma once
 
-#include "rubato/core/error.hpp"
 #include "rubato/mesh/mesh.hpp"
 #include "rubato/study/study.hpp"
 
@@ -16,6 +15,10 @@
 #include <span>
 #include <string>
 #include <vector>
+
+namespace rubato {
+struct Fault;
+} // namespace rubato
 
 namespace rubato::model {
 

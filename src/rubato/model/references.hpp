@@ -3,7 +3,6 @@
 /// places in cells.
 #pragma once
 
-#include "rubato/core/error.hpp"
 #include "rubato/domain/dof_map.hpp"
 #include "rubato/mesh/mesh.hpp"
 #include "rubato/study/study.hpp"
@@ -13,6 +12,10 @@
 #include <span>
 #include <string>
 #include <vector>
+
+namespace rubato {
+struct Fault;
+} // namespace rubato
 
 namespace rubato::model {
 

@@ -3,6 +3,7 @@
 #include "rubato/mesh/names.hpp"
 #include "rubato/model/build.hpp"
 #include "rubato/model/model.hpp"
+#include "rubato/model/node_label.hpp"
 #include "rubato/model/rigid_motions.hpp"
 
 #include <fmt/format.h>

@@ -2,6 +2,7 @@
 #include "rubato/model/shared_nodes_note.hpp"
 
 #include "rubato/contact/shared_nodes.hpp"
+#include "rubato/contact/zone.hpp"
 #include "rubato/mesh/names.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/study/study.hpp"

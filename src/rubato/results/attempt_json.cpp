@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/results/attempt_json.hpp"
 
+#include "rubato/contact/zone.hpp"
 #include "rubato/model/model.hpp"
+#include "rubato/model/node_label.hpp"
 
 #include <nlohmann/json.hpp>
 

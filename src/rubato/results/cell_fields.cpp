@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/results/cell_fields.hpp"
 
+#include "rubato/element/element.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/results/cell_quantities.hpp"
 #include "rubato/study/words.hpp"

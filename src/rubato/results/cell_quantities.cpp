@@ -2,6 +2,7 @@
 #include "rubato/results/cell_quantities.hpp"
 
 #include "rubato/cell/shape_table.hpp"
+#include "rubato/element/element.hpp"
 #include "rubato/model/model.hpp"
 
 namespace rubato::results {

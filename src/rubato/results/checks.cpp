@@ -2,6 +2,7 @@
 #include "rubato/results/checks.hpp"
 
 #include "rubato/model/model.hpp"
+#include "rubato/model/node_label.hpp"
 #include "rubato/results/compare.hpp"
 #include "rubato/results/history.hpp"
 #include "rubato/results/run_folder.hpp"

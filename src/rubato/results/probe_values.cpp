@@ -2,6 +2,7 @@
 #include "rubato/results/probe_values.hpp"
 
 #include "rubato/contact/discretisation.hpp"
+#include "rubato/domain/cut.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/model/references.hpp"
 #include "rubato/results/cell_quantities.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/results/recorder.hpp"
 
+#include "rubato/contact/zone.hpp"
 #include "rubato/core/writing.hpp"
 #include "rubato/mesh/io/med.hpp"
 #include "rubato/model/model.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/results/summary_json.hpp"
 
+#include "rubato/contact/zone.hpp"
 #include "rubato/core/tolerances.hpp"
 #include "rubato/model/model.hpp"
 

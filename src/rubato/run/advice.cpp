@@ -3,6 +3,7 @@
 
 #include "rubato/contact/springs.hpp"
 #include "rubato/model/model.hpp"
+#include "rubato/model/node_label.hpp"
 #include "rubato/model/rigid_motions.hpp"
 #include "rubato/study/formulation.hpp"
 #include "rubato/study/schemes.hpp"

@@ -2,6 +2,7 @@
 #include "rubato/run/failure.hpp"
 
 #include "rubato/model/model.hpp"
+#include "rubato/model/node_label.hpp"
 #include "rubato/model/rigid_motions.hpp"
 #include "rubato/run/advice.hpp"
 #include "rubato/step/finiteness.hpp"

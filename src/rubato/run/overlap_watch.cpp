@@ -2,6 +2,7 @@
 #include "rubato/run/overlap_watch.hpp"
 
 #include "rubato/model/model.hpp"
+#include "rubato/model/node_label.hpp"
 
 #include <fmt/format.h>
 

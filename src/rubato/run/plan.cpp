@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/run/plan.hpp"
 
+#include "rubato/contact/zone.hpp"
 #include "rubato/linalg/memory.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/simulation/time_integration.hpp"
 #include "rubato/time/step_control.hpp"

@@ -2,6 +2,7 @@
 #include "rubato/core/processor_time.hpp"
 #include "rubato/core/writing.hpp"
 #include "rubato/linalg/memory.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/results/recorder.hpp"
 #include "rubato/run/advice.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/simulation/memento.hpp"
 
+#include "rubato/contact/zone.hpp"
 #include "rubato/core/error.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/study/formulation.hpp"

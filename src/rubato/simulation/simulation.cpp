@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/simulation/explicit_integrator.hpp"
 #include "rubato/simulation/implicit_integrator.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/simulation/stages.hpp"
 
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 
 #include <algorithm>

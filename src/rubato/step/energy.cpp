@@ -5,6 +5,7 @@
 #include "rubato/contact/springs.hpp"
 #include "rubato/core/tolerances.hpp"
 #include "rubato/domain/balance_terms.hpp"
+#include "rubato/domain/heat.hpp"
 #include "rubato/linalg/ranked_matrix.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/step/common/rigid_parts.hpp"

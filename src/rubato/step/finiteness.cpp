@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/finiteness.hpp"
 
+#include "rubato/contact/zone.hpp"
 #include "rubato/model/model.hpp"
+#include "rubato/model/model_forces.hpp"
+#include "rubato/model/node_label.hpp"
 
 #include <fmt/format.h>
 

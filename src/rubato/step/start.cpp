@@ -2,8 +2,10 @@
 #include "rubato/step/start.hpp"
 
 #include "rubato/contact/discretisation.hpp"
+#include "rubato/core/error.hpp"
 #include "rubato/linalg/ranked_matrix.hpp"
 #include "rubato/model/model.hpp"
+#include "rubato/model/model_forces.hpp"
 #include "rubato/model/sparse_matrix.hpp"
 
 #include <Eigen/IterativeLinearSolvers>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Nodes with several points of contact: where their friction acts.
+#include "rubato/contact/kinematics.hpp"
 #include "rubato/contact/shared_nodes.hpp"
+#include "rubato/contact/zone.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,6 +2,7 @@
 #include "rubato/cell/quadrature.hpp"
 #include "rubato/domain/assembly.hpp"
 #include "rubato/domain/recovery.hpp"
+#include "rubato/element/element.hpp"
 
 #include <gtest/gtest.h>
 

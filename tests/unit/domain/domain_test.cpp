@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// The domain's answers against each other, differences and integrals over cells.
 #include "rubato/cell/quadrature.hpp"
+#include "rubato/domain/assembly.hpp"
+#include "rubato/domain/block_pattern.hpp"
+#include "rubato/domain/dof_map.hpp"
 #include "rubato/domain/domain.hpp"
+#include "rubato/domain/linear_domain.hpp"
+#include "rubato/domain/nonlinear_domain.hpp"
+#include "rubato/element/element.hpp"
 
 #include <gtest/gtest.h>
 

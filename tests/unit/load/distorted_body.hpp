@@ -2,6 +2,9 @@
 /// A body of every cell and physics that loads act on.
 #pragma once
 
+#include "rubato/domain/bulk.hpp"
+#include "rubato/domain/dof_map.hpp"
+
 #include <gtest/gtest.h>
 
 #include "support/bulk_cells.hpp"

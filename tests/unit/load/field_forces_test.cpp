@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/load/field_forces.hpp"
+#include "rubato/load/nodal_forces.hpp"
 
 #include <gtest/gtest.h>
 

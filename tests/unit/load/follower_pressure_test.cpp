@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/cell/shape_table.hpp"
+#include "rubato/domain/block_pattern.hpp"
+#include "rubato/domain/dof_map.hpp"
 #include "rubato/load/field_forces.hpp"
 #include "rubato/load/follower_pressure.hpp"
+#include "rubato/load/nodal_forces.hpp"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/core/error.hpp"
 #include "rubato/load/nodal_forces.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // What a study becomes: unknowns, matrices, loads, zones.
+#include "rubato/contact/zone.hpp"
 #include "rubato/material/linear_elastic.hpp"
 #include "rubato/model/model.hpp"
+#include "rubato/model/model_forces.hpp"
 #include "rubato/model/sparse_matrix.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Contact zones whose sides the model chooses: between two surfaces, of all bodies, a surface with itself.
+#include "rubato/contact/zone.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 
 #include <fmt/format.h>

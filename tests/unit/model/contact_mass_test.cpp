@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/contact/zone.hpp"
 #include "rubato/core/error.hpp"
 #include "rubato/model/model.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // What a study asks of a mesh that does not have it; the sentences are held in tests/cli.
 #include "rubato/mesh/builder.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 
 #include <gtest/gtest.h>

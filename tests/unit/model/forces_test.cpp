@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Loads of a study as forces on the nodes of a mesh.
+#include "rubato/load/follower_pressure.hpp"
 #include "rubato/model/model.hpp"
+#include "rubato/model/model_forces.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Models of mutated decks: each is built or refused with sentences, whatever stands at a node.
+#include "rubato/core/error.hpp"
 #include "rubato/model/model.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Springs on motions that nothing resists: what they hold and what they let go.
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/gauges.hpp"
 #include "rubato/model/model.hpp"
 

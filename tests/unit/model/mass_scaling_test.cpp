@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/deck/read.hpp"
 #include "rubato/domain/cell_rates.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/mass_scaling.hpp"
 #include "rubato/model/model.hpp"
+#include "rubato/model/model_forces.hpp"
 #include "rubato/step/explicit/explicit_motion.hpp"
 
 #include <gtest/gtest.h>

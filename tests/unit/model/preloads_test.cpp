@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // What becomes of a mesh that preloads cut.
 #include "rubato/deck/read.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/model/preloads.hpp"
 

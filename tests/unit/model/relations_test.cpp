@@ -2,6 +2,7 @@
 // What supports along directions and relations leave of the displacements.
 #include "rubato/mesh/mesh.hpp"
 #include "rubato/model/model.hpp"
+#include "rubato/model/model_forces.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>

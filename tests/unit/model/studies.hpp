@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rubato/deck/read.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 
 #include "support/model_of.hpp"

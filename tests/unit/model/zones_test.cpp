@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // The zones of a study: surfaces by their names, sheets turned to the slave, what supports hold.
+#include "rubato/contact/surface.hpp"
+#include "rubato/contact/zone.hpp"
 #include "rubato/mesh/builder.hpp"
 #include "rubato/mesh/sheet.hpp"
 #include "rubato/model/build.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 
 #include <gtest/gtest.h>

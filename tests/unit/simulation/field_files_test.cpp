@@ -4,6 +4,7 @@
 #include "rubato/deck/read.hpp"
 #include "rubato/mesh/io/med.hpp"
 #include "rubato/mesh/io/mesh_file.hpp"
+#include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/results/med_fields.hpp"
 #include "rubato/results/vtu.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // The ledger of bodies beyond linear elasticity: an identity for whatever a step does, as that of linear
 // ones, and what its entries are in closed form.
+#include "rubato/domain/balance_terms.hpp"
 #include "rubato/step/energy.hpp"
 
 #include <gtest/gtest.h>

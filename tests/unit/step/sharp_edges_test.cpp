@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // A slave surface with edges of 90°: a node there is a mortar point on each side of the edge.
+#include "rubato/contact/zone.hpp"
 #include "rubato/model/model.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tied surfaces, in statics and in motion.
+#include "rubato/contact/zone.hpp"
 #include "rubato/core/error.hpp"
 #include "rubato/deck/read.hpp"
 #include "rubato/model/model.hpp"

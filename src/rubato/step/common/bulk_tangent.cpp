@@ -2,6 +2,7 @@
 #include "rubato/step/common/bulk_tangent.hpp"
 
 #include "rubato/model/model.hpp"
+#include "rubato/model/model_forces.hpp"
 
 #include <array>
 #include <cmath>

@@ -10,6 +10,8 @@
 #include "rubato/linalg/ranked_matrix.hpp"
 #include "rubato/linalg/sparse_sum.hpp"
 #include "rubato/model/model.hpp"
+#include "rubato/model/model_forces.hpp"
+#include "rubato/model/node_label.hpp"
 #include "rubato/step/common/rigid_unknowns.hpp"
 #include "rubato/step/common/spatial_order.hpp"
 #include "rubato/step/full/linear_step.hpp"

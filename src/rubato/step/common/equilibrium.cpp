@@ -2,10 +2,13 @@
 #include "rubato/step/common/equilibrium.hpp"
 
 #include "rubato/core/tolerances.hpp"
+#include "rubato/domain/heat.hpp"
 #include "rubato/linalg/ranked_matrix.hpp"
 #include "rubato/linalg/sparse_products.hpp"
+#include "rubato/load/follower_pressure.hpp"
 #include "rubato/mesh/rounding.hpp"
 #include "rubato/model/model.hpp"
+#include "rubato/model/model_forces.hpp"
 
 #include <algorithm>
 #include <cmath>

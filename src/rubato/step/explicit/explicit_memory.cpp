@@ -2,6 +2,7 @@
 // What explicit motion shows of itself, keeps and takes back: of one that is dealt out to ranks, what all of
 // them know together.
 #include "rubato/domain/followed_points.hpp"
+#include "rubato/domain/heat.hpp"
 #include "rubato/domain/point_numbers.hpp"
 #include "rubato/domain/rank_states.hpp"
 #include "rubato/model/model.hpp"

@@ -3,8 +3,12 @@
 
 #include "rubato/core/error.hpp"
 #include "rubato/core/function.hpp"
+#include "rubato/domain/heat.hpp"
 #include "rubato/linalg/lanczos.hpp"
+#include "rubato/load/follower_pressure.hpp"
 #include "rubato/model/model.hpp"
+#include "rubato/model/model_forces.hpp"
+#include "rubato/model/node_label.hpp"
 #include "rubato/model/own_cells.hpp"
 #include "rubato/step/energy.hpp"
 

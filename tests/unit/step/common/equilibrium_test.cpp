@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // The residual of a step against the scheme's equation written with matrices.
 #include "rubato/model/model.hpp"
+#include "rubato/model/model_forces.hpp"
 #include "rubato/step/common/equilibrium.hpp"
 
 #include <gtest/gtest.h>
