@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// The patch test (B. M. Irons): cells of any shape must carry a constant stress exactly.
+#include "rubato/core/error.hpp"
 #include "rubato/domain/assembly.hpp"
 #include "rubato/domain/recovery.hpp"
 

@@ -90,6 +90,10 @@ VectorXd CellQuantities::volumes(std::size_t cell) const {
   return volumes;
 }
 
+CellType CellQuantities::type_of(std::size_t cell) const {
+  return model_.mesh.type_of(model_.bulk.cells[cell]);
+}
+
 MatrixXd CellQuantities::temperatures_of(std::size_t cell) const {
   return temperatures_(model_.domain.heat()->nodes_of(cell)).transpose();
 }

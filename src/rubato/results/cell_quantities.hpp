@@ -32,7 +32,7 @@ public:
   Eigen::VectorXd volumes(std::size_t cell) const;
 
 private:
-  CellType type_of(std::size_t cell) const { return model_.mesh.type_of(model_.bulk.cells[cell]); }
+  CellType type_of(std::size_t cell) const;
   /// Of the nodes of a cell, a row.
   Eigen::MatrixXd temperatures_of(std::size_t cell) const;
 

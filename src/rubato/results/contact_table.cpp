@@ -2,6 +2,7 @@
 #include "rubato/results/contact_table.hpp"
 
 #include "rubato/contact/arc_length.hpp"
+#include "rubato/contact/pairing.hpp"
 #include "rubato/mesh/names.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/results/run_folder.hpp"
