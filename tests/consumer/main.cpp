@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <rubato/core/error.hpp>
+#include <rubato/model/build_model.hpp>
 #include <rubato/run/time_loop.hpp>
 
 namespace {
