@@ -2,6 +2,7 @@
 #include "rubato/step/common/held_surface.hpp"
 
 #include "rubato/model/model.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>

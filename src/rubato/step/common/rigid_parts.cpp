@@ -2,9 +2,9 @@
 #include "rubato/step/common/rigid_parts.hpp"
 
 #include "rubato/linalg/dense_decompositions.hpp"
+#include "rubato/linalg/dense_products.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/study/study.hpp"
-#include "rubato/linalg/dense_products.hpp"
 
 #include <algorithm>
 #include <cstddef>

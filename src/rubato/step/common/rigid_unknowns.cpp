@@ -2,6 +2,7 @@
 #include "rubato/step/common/rigid_unknowns.hpp"
 
 #include "rubato/model/model.hpp"
+
 #include <algorithm>
 
 namespace rubato::step {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/common/slope_changes.hpp"
 
-#include "rubato/model/model.hpp"
 #include "rubato/linalg/dense_lu.hpp"
 #include "rubato/linalg/dense_products.hpp"
+#include "rubato/model/model.hpp"
 
 #include <utility>
 

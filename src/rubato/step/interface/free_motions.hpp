@@ -10,8 +10,8 @@
 /// change, cₖ − c = −ε mₖ, and that is Newton's iterate itself.
 #pragma once
 
-#include "rubato/model/fwd.hpp"
 #include "rubato/linalg/pivoted_qr.hpp"
+#include "rubato/model/fwd.hpp"
 #include "rubato/step/interface/compliance.hpp"
 
 #include <Eigen/Core>
