@@ -211,6 +211,7 @@ std::vector<double> cell_values(const model::Model& model, std::size_t p, MadeFi
   }
   const double volume = std::accumulate(weights.begin(), weights.end(), 0.0);
   std::vector<double> result;
+  result.reserve(rows.size());
   for (const auto& row : rows)
     result.push_back(probe.take == study::ProbeTake::mean
                          ? std::inner_product(row.begin(), row.end(), weights.begin(), 0.0) / volume

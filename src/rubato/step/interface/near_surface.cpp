@@ -91,7 +91,7 @@ std::optional<NearSurface> NearSurface::of(const linalg::SparseMatrix& matrix, c
   auto factor = linalg::LuFactor::of(whole);
   if (!factor)
     return std::nullopt;
-  return NearSurface(std::move(*factor), std::move(by_displacement));
+  return NearSurface(std::move(*factor), by_displacement);
 }
 
 VectorXd NearSurface::solve(const VectorXd& left) const {

@@ -30,8 +30,8 @@ public:
   Eigen::VectorXd solve(const Eigen::VectorXd& left) const;
 
 private:
-  NearSurface(linalg::LuFactor factor, linalg::SparseMatrix slopes)
-      : factor_(std::move(factor)), slopes_(std::move(slopes)) {}
+  NearSurface(linalg::LuFactor factor, const linalg::SparseMatrix& slopes)
+      : factor_(std::move(factor)), slopes_(slopes) {}
 
   linalg::LuFactor factor_;
   linalg::SparseMatrix slopes_; ///< P, a column an unknown that is near
