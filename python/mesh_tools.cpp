@@ -32,8 +32,7 @@ SharedMesh shared(Mesh mesh) {
 mesh::Group group_of(const std::string& name, std::vector<std::int32_t> items, bool ordered) {
   mesh::Group group{name, items, {}};
   std::ranges::sort(group.items);
-  const auto repeated = std::ranges::unique(group.items);
-  group.items.erase(repeated.begin(), repeated.end());
+  group.items.erase(std::unique(group.items.begin(), group.items.end()), group.items.end());
   if (ordered && group.items.size() != items.size())
     throw std::invalid_argument("found an index twice, expected an order without repeats");
   if (ordered)

@@ -11,7 +11,6 @@
 #include <array>
 #include <cstdio>
 #include <exception>
-#include <ranges>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -93,12 +92,14 @@ constexpr std::string_view modelings_prefix = "sdnl140_";
 
 /// What is wrong with the name of a page; nothing for a good one.
 std::string fault_of(const std::string& name) {
-  const bool known =
-      name.starts_with(modelings_prefix) || std::ranges::find(entries, name, &Entry::page) != entries.end();
-  return known
-             ? ""
-             : fmt::format("{} is no page; there are {}, {}<letters>", name,
-                           fmt::join(entries | std::views::transform(&Entry::page), ", "), modelings_prefix);
+  if (name.starts_with(modelings_prefix) || std::ranges::find(entries, name, &Entry::page) != entries.end())
+    return "";
+  std::vector<std::string_view> pages;
+  pages.reserve(entries.size());
+  for (const auto& entry : entries)
+    pages.push_back(entry.page);
+  return fmt::format("{} is no page; there are {}, {}<letters>", name, fmt::join(pages, ", "),
+                     modelings_prefix);
 }
 
 int run(int argc, char** argv) {

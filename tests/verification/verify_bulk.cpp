@@ -9,7 +9,6 @@
 #include "verification/bulk_structures.hpp"
 #include "verification/verify.hpp"
 #include <algorithm>
-#include <ranges>
 #include <span>
 #include <string>
 #include <vector>
@@ -49,8 +48,7 @@ void write_residuals(Page& page, std::span<const Benchmark> benchmarks) {
     if (residuals.empty())
       continue;
     const auto order = order_of(residuals);
-    const auto texts = residuals | std::views::transform([](double r) { return fmt::format("{:.1e}", r); });
-    page.row({std::to_string(row), what, fmt::format("{}", fmt::join(texts, ", ")),
+    page.row({std::to_string(row), what, fmt::format("{:.1e}", fmt::join(residuals, ", ")),
               order ? fmt::format("{:.1f}", *order) : "–"});
   }
 }
