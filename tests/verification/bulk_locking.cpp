@@ -71,7 +71,7 @@ void add_cook(std::vector<LockingRow>& rows, const std::string& what, const Cook
   for (const auto& [n, expected] : meshes)
     rows.push_back(row(fmt::format("Cook, {}, (48, {}), {} × {}", what, membrane.height, n, n), exact,
                        expected,
-                       [&](std::string_view formulation) { return cook(membrane, n, formulation); }));
+                       [&, n = n](std::string_view formulation) { return cook(membrane, n, formulation); }));
 }
 
 void add_membranes(std::vector<LockingRow>& rows, int finest) {
@@ -143,7 +143,7 @@ void add_tubes(std::vector<LockingRow>& rows) {
       {4, {0.24, 3.983, 3.950, 1e-2}}, {8, {0.79, 3.996, 3.987, 1e-2}}, {16, {1.98, 3.999, 3.997, 1e-2}}};
   for (const auto& [n, expected] : meshes)
     rows.push_back(row(fmt::format("tube, ν = 0.4999, axisymmetric, {} cells", n), widening(0.4999), expected,
-                       [&](std::string_view formulation) { return meridian(n, 0.4999, formulation); }));
+                       [n = n](std::string_view formulation) { return meridian(n, 0.4999, formulation); }));
   for (const bool solid : {false, true})
     rows.push_back(row(fmt::format("tube, ν = 0.4999, {} 8 × 16", solid ? "HEXA8" : "QUAD4"),
                        widening(0.4999), {0.79, 3.992, 3.987, 1e-2},
