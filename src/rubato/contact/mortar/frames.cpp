@@ -17,23 +17,11 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// A normal whose area vector is shorter than that, in squared face sizes, is rounding.
-constexpr double no_area = 1e-14;
 /// A direction's part across the normal below that, of its length, is none.
 constexpr double no_direction = 1e-8;
 
 double radians(double degrees) {
   return degrees * std::numbers::pi / 180;
-}
-
-/// The unit normal of a face at ξ; 0 where it has no area.
-Vector3d unit_normal(CellType type, const FaceCoordinates& coordinates, const Vector2d& xi) {
-  const auto at = face_geometry(type, coordinates, xi);
-  const Vector3d first = column_of(at.tangents, 0), second = column_of(at.tangents, 1);
-  const Vector3d area = cross(first, second);
-  const double size =
-      parametric_dimension(type) == 2 ? dot(first, first) + dot(second, second) : length_of(first);
-  return length_of(area) > no_area * size ? unit_of(area) : Vector3d(0, 0, 0);
 }
 
 Vector2d node_place(CellType type, std::size_t node) {
@@ -101,7 +89,7 @@ void nodal_normals(const Surface& surface, std::span<const Vector3d> x, std::spa
   for (const auto& face : surface.faces) {
     const auto coordinates = values_of(face, x);
     for (std::size_t i = 0; i < face.node_span().size(); ++i)
-      add_scaled(1, unit_normal(face.type, coordinates, node_place(face.type, i)),
+      add_scaled(1, outward_normal(face.type, coordinates, node_place(face.type, i)),
                  normals[static_cast<std::size_t>(face.positions[i])]);
   }
   for (std::size_t j = 0; j < normals.size(); ++j) {
@@ -158,7 +146,7 @@ void for_each_common_edge(const Surface& surface, std::span<const Vector3d> x, c
                   [&](const Edge& edge, const EdgePlace& place) { edges[edge].push_back(place); });
   const auto normal_at = [&](const EdgePlace& place) {
     const auto& face = surface.faces[static_cast<std::size_t>(place.face)];
-    return unit_normal(face.type, values_of(face, x), place.xi);
+    return outward_normal(face.type, values_of(face, x), place.xi);
   };
   for (const auto& [edge, places] : edges)
     for (std::size_t i = 1; i < places.size(); ++i) {
