@@ -21,7 +21,7 @@ struct Behaviour {
 
 struct Bulk;
 
-/// Of a cell of that type with that behaviour.
+/// The kind of a cell of `type` with this behaviour.
 element::CellKind kind_of(const Bulk& bulk, const Behaviour& behaviour, CellType type);
 
 } // namespace rubato::domain

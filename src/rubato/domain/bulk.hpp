@@ -33,8 +33,8 @@ struct Bulk {
   /// Of each law that depends on the place; null where it does not, empty when none does. `laws` have such a
   /// law at one place of its cells.
   std::vector<std::shared_ptr<const material::LawField>> fields = {};
-  /// Of each law that is evaluated otherwise, else null; `laws` have what it is at small strains that come at
-  /// once. Empty when all cells are linear and integrated in full.
+  /// The behaviour of each law; null where its cells are linear and integrated in full. `laws` hold the
+  /// elastic law at small strains, without time to relax. Empty when all would be null.
   std::vector<std::shared_ptr<const Behaviour>> behaviours = {};
 
   const material::Law& law(std::size_t i) const { return laws[static_cast<std::size_t>(law_of_cell[i])]; }

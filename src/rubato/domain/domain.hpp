@@ -19,9 +19,8 @@ struct LawSpring;
 class LinearDomain;
 class NonlinearDomain;
 
-/// A value: whatever a step changes is given and given back. Quadrature states are given as they are at the
-/// start of a step and written as they are at its end, so a step may be evaluated many times and rejected
-/// without a trace.
+/// A step does not change a domain: it reads the quadrature states of its start and writes those of its end
+/// into another object. So a step may be evaluated many times and rejected.
 ///
 /// The kinds of domains are the alternatives of one variant. A new kind is a file with a class that has
 /// LinearDomain's functions, and its row in `Kind`. Copies share theirs, which nothing changes.
@@ -95,7 +94,7 @@ public:
   const QuadratureStates& initial_states() const { return initial_states_; }
 
 private:
-  std::shared_ptr<const Kind> kind_; ///< there is one
+  std::shared_ptr<const Kind> kind_; ///< never null, but after a move
   QuadratureStates initial_states_;
 };
 

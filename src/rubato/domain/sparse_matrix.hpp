@@ -2,10 +2,10 @@
 /// The sparse matrices of the whole.
 #pragma once
 
-#include <Eigen/SparseCore>
+#include "rubato/linalg/sparse_matrix.hpp"
 
 namespace rubato::domain {
 
-using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
+using linalg::SparseMatrix;
 
 } // namespace rubato::domain

@@ -14,7 +14,7 @@ struct Section {
 /// Displacement components a node: 3 for solids, else 2.
 int component_count(study::Physics physics);
 
-/// What a length² or length³ of the model's drawing stands for: 1, the thickness, or 2πr at radius `x`.
+/// The factor from an area or volume of the mesh to that of the body: 1, the thickness, or 2πr at radius `x`.
 double measure(const Section& section, double x);
 
 } // namespace rubato::element

@@ -2,6 +2,8 @@
 /// The only module that knows CHOLMOD, UMFPACK and MUMPS: factor and solve sparse systems.
 #pragma once
 
+#include "rubato/linalg/sparse_matrix.hpp"
+
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
@@ -10,8 +12,6 @@
 #include <optional>
 
 namespace rubato::linalg {
-
-using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
 // Factoring and solving throw std::invalid_argument when sizes do not match and std::bad_alloc when memory
 // does not suffice. A factor keeps work space, so one factor is used by one thread at a time; MUMPS wants

@@ -2,12 +2,12 @@
 /// Products with sparse matrices, compiled once: each source that instantiates Eigen's takes seconds more.
 #pragma once
 
+#include "rubato/linalg/sparse_matrix.hpp"
+
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 namespace rubato::linalg {
-
-using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
 /// A x
 Eigen::VectorXd product(const SparseMatrix& a, const Eigen::VectorXd& x);

@@ -2,10 +2,10 @@
 /// The sparse matrices of a model.
 #pragma once
 
-#include <Eigen/SparseCore>
+#include "rubato/linalg/sparse_matrix.hpp"
 
 namespace rubato::model {
 
-using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
+using linalg::SparseMatrix;
 
 } // namespace rubato::model

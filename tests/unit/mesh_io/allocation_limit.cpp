@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// No file of these tests needs a gigabyte: the address sanitizer ends a program that asks for one at once.
+// These tests allocate less than a gigabyte at once. Beyond it the address sanitizer aborts the program.
 extern "C" const char* __asan_default_options(); // NOLINT(bugprone-reserved-identifier)
 
 extern "C" const char* __asan_default_options() { // NOLINT(bugprone-reserved-identifier)

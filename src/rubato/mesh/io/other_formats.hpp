@@ -4,7 +4,8 @@
 
 namespace rubato::mesh {
 
-/// Whether .msh, .mail and .inp are read. In a build with RUBATO_RUNS_ONLY their functions throw InputError.
+/// True where this build reads .msh, .mail and .inp. With RUBATO_RUNS_ONLY, functions of these formats throw
+/// InputError.
 bool are_other_formats_built_in();
 
 } // namespace rubato::mesh

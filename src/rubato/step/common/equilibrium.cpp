@@ -259,23 +259,20 @@ bool Equilibrium::within_rounding(const time::Motion& motion, const ContactStiff
   return true;
 }
 
-/// A contact force follows the gap by the stiffness there, and a gap is a difference of places of nodes of
-/// both surfaces; friction follows the slip, a difference of displacements.
+/// A contact force follows the gap by the stiffness there, and a gap is a difference of places; friction
+/// follows the slip, a difference of displacements.
 void Equilibrium::add_contact(const ContactStiffness& stiffness, double far, double moved,
                               VectorXd& summed) const {
-  for (const auto& zone : model_.zones) {
-    double place = 0;
+  for (const auto& zone : model_.zones)
     for (const auto* surface : {&zone.master, &zone.slave})
-      for (const auto node : surface->nodes)
-        place = std::max(place, model_.mesh.points[static_cast<std::size_t>(node)].lpNorm<Eigen::Infinity>());
-    for (const auto* surface : {&zone.master, &zone.slave})
-      for (const auto node : surface->nodes)
+      for (const auto node : surface->nodes) {
+        const double place = model_.mesh.points[static_cast<std::size_t>(node)].lpNorm<Eigen::Infinity>();
         for (int i = 0; i < model_.dofs.components; ++i) {
           const int dof = model_.dofs.dof(node, i);
           summed[dof] +=
               stiffness.by_position[dof] * (place + far) + stiffness.by_displacement[dof] * (moved + far);
         }
-  }
+      }
 }
 
 std::vector<WorstNode> Equilibrium::worst() const {
