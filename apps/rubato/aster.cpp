@@ -61,6 +61,7 @@ int aster(const AsterArguments& arguments) {
   set_module_path(module_folder());
   auto words = words_of(arguments);
   std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
   for (auto& word : words)
     pointers.push_back(word.data());
   pointers.push_back(nullptr);

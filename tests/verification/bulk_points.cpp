@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Single cells and small blocks in uniform states, which have closed forms.
+#include "rubato/core/transformed.hpp"
+
 #include <fmt/format.h>
 
 #include "verification/bulk_benchmarks.hpp"
@@ -377,10 +379,7 @@ std::vector<Benchmark> point_benchmarks() {
                            prony,
                            orthotropic,
                            thermal};
-  std::vector<Benchmark> rows;
-  for (const auto make : all)
-    rows.push_back(make());
-  return rows;
+  return transformed<Benchmark>(all, [](const auto make) { return make(); });
 }
 
 } // namespace rubato::verification

@@ -22,7 +22,7 @@ Vector3d way_of(const Zone& zone, const SlavePoint& point, const Kinematics& k, 
   const double end = start.t + step;
   const Vector3d here = k.stencil.sum([&](auto node) { return start.position(node); });
   const auto there = sum_of(here, scaled(step, k.stencil.gather(velocity, *start.dofs)));
-  const Vector3d way = obstacle.way(here, there, start.t, end);
+  Vector3d way = obstacle.way(here, there, start.t, end);
   if (!obstacle.rotation)
     return way;
   const auto gap_at = [&](double t) { return place_on(obstacle, obstacle.pose(t), there, point.place).gap; };

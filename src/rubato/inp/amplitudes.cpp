@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/core/naming.hpp"
+#include "rubato/core/transformed.hpp"
 #include "rubato/inp/reading.hpp"
 
 #include <fmt/format.h>
@@ -100,15 +101,15 @@ void read_smooth_step(const Block& block, const std::vector<double>& numbers, Cu
 void read_periodic(const Block& block, const std::vector<double>& numbers, Curve& curve, Faults& faults) {
   constexpr std::size_t head = 4;
   const bool whole = numbers.size() > head && numbers.size() % 2 == 0;
-  if (!whole || numbers[0] != static_cast<double>((numbers.size() - head) / 2))
+  if (!whole || 2 * numbers[0] != static_cast<double>(numbers.size() - head))
     return faults.add(block.at,
                       fmt::format("found {} numbers of a periodic amplitude, expected N, the frequency, t0, "
                                   "A0 and N pairs",
                                   numbers.size()));
   std::string sum;
   for (std::size_t i = head; i + 1 < numbers.size(); i += 2) {
-    const auto angle =
-        fmt::format("{}*(T-({}))", static_cast<double>((i - head) / 2 + 1) * numbers[1], numbers[2]);
+    const auto harmonic = 1 + (i - head) / 2;
+    const auto angle = fmt::format("{}*(T-({}))", static_cast<double>(harmonic) * numbers[1], numbers[2]);
     sum += fmt::format("+({})*cos({})+({})*sin({})", numbers[i], angle, numbers[i + 1], angle);
   }
   curve.formula = fmt::format("({})+if(T<({}),0,0{})", numbers[3], numbers[2], sum);
@@ -173,9 +174,7 @@ void read_amplitude(Reading& reading, std::size_t index) {
   const auto word = kind == nullptr ? std::string("TABULAR") : mesh::inp::compact(kind->value.text);
   const auto* const found = std::ranges::find(definitions, std::string_view(word), &Definition::word);
   if (found == definitions.end()) {
-    std::vector<std::string> words;
-    for (const auto& definition : definitions)
-      words.emplace_back(definition.word);
+    const auto words = transformed<std::string>(definitions, &Definition::word);
     return faults.add(kind->value, fmt::format("found DEFINITION={}, expected one of {}", kind->value.text,
                                                fmt::join(words, ", ")));
   }

@@ -105,7 +105,7 @@ std::string add_reference(Reading& reading, study::RelationKind kind, const Foll
   relation.at = place_of(reading, node);
   if (!reading.references.try_emplace(node, ReferenceNode{relation.name, false}).second)
     reading.faults.add(at, "found a node that is a reference already, expected another one");
-  const auto name = relation.name;
+  auto name = relation.name;
   add_relation(reading, std::move(relation), at);
   return name;
 }
@@ -200,9 +200,8 @@ void read_rigid_body(Reading& reading, std::size_t index) {
   const auto node = one_node(reading, placed.scope, reference);
   if (!followers || !node)
     return;
-  auto others = *followers;
   const auto name =
-      add_reference(reading, study::RelationKind::rigid, others, *node, reference, set->value.text);
+      add_reference(reading, study::RelationKind::rigid, *followers, *node, reference, set->value.text);
   const auto* const rotation = block.find("ROTNODE");
   if (rotation == nullptr || name.empty())
     return;

@@ -2,6 +2,7 @@
 /// Inside the module only: what has been read so far, and the functions that read keywords into it.
 #pragma once
 
+#include "rubato/core/transformed.hpp"
 #include "rubato/inp/read.hpp"
 #include "rubato/mesh/io/inp_content.hpp"
 
@@ -116,9 +117,8 @@ const Entry* named(const std::map<std::string, Entry>& entries, const Word& labe
   const auto found = entries.find(mesh::inp::folded(label.text));
   if (found != entries.end())
     return &found->second;
-  std::vector<std::string> known;
-  for (const auto& [name, entry] : entries)
-    known.push_back(name);
+  const auto known =
+      transformed<std::string>(entries, [](const auto& entry) -> const std::string& { return entry.first; });
   refuse_label(label, what, known, faults);
   return nullptr;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/core/naming.hpp"
+#include "rubato/core/transformed.hpp"
 #include "rubato/inp/load_lines.hpp"
 
 #include <fmt/format.h>
@@ -96,9 +97,7 @@ void hold_named(Reading& reading, const std::vector<Word>& fields, const Target&
   const auto word = compact(fields[1].text);
   const auto* const found = std::ranges::find(named_supports, std::string_view(word), &NamedSupport::word);
   if (found == named_supports.end() || fields.size() > 2) {
-    std::vector<std::string> words;
-    for (const auto& row : named_supports)
-      words.emplace_back(row.word);
+    const auto words = transformed<std::string>(named_supports, &NamedSupport::word);
     return reading.faults.add(fields[1],
                               fmt::format("found {}, expected a degree of freedom or a named support{}",
                                           shown(std::string(fields[1].text)),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/linalg/constrained_inverse.hpp"
 
+#include "rubato/core/transformed.hpp"
 #include "rubato/linalg/sparse_products.hpp"
 
 #include <algorithm>
@@ -53,9 +54,8 @@ std::vector<int> independent_constraints(const MatrixXd& schur) {
     if (schur(i, i) > 0)
       columns.push_back(i);
   auto scaled = chosen_rows_and_columns(schur, columns);
-  std::vector<double> scale;
-  for (const int column : columns)
-    scale.push_back(1 / std::sqrt(schur(column, column)));
+  const auto scale =
+      transformed<double>(columns, [&](int column) { return 1 / std::sqrt(schur(column, column)); });
   for (Index j = 0; j < scaled.cols(); ++j)
     for (Index i = 0; i < scaled.rows(); ++i)
       scaled(i, j) = scale[static_cast<std::size_t>(i)] * scaled(i, j) * scale[static_cast<std::size_t>(j)];

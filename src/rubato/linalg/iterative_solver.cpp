@@ -337,7 +337,8 @@ VectorXd IterativeSolver::moved_by(std::size_t body, const VectorXd& force) cons
 /// times as fast.
 double IterativeSolver::factor_flops() const {
   constexpr double dense_speed = 8;
-  return solves_of_set_up * dense_speed * 4 * static_cast<double>(bytes_ / sizeof(double));
+  const auto numbers = static_cast<double>(bytes_) / sizeof(double);
+  return solves_of_set_up * dense_speed * 4 * numbers;
 }
 
 } // namespace rubato::linalg

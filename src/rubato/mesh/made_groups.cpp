@@ -2,6 +2,7 @@
 #include "rubato/mesh/made_groups.hpp"
 
 #include "rubato/core/error.hpp"
+#include "rubato/core/transformed.hpp"
 #include "rubato/mesh/builder.hpp"
 #include "rubato/mesh/face_cells.hpp"
 #include "rubato/mesh/group_sources.hpp"
@@ -79,9 +80,9 @@ GroupItems in_line(const study::MadeGroup& group, const GroupSources& sources, c
   const Eigen::Vector3d direction =
       Eigen::Vector3d(group.direction[0], group.direction[1], group.direction[2]).normalized();
   const auto nodes = sources.nodes(group);
-  std::vector<std::pair<double, NodeIndex>> places;
-  for (const auto node : nodes)
-    places.emplace_back(direction.dot(mesh.points[static_cast<std::size_t>(node)]), node);
+  auto places = transformed<std::pair<double, NodeIndex>>(nodes, [&](NodeIndex node) {
+    return std::pair(direction.dot(mesh.points[static_cast<std::size_t>(node)]), node);
+  });
   std::ranges::sort(places);
   GroupItems line{false, nodes};
   for (std::size_t i = 0; i < places.size(); ++i) {

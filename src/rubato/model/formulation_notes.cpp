@@ -3,6 +3,7 @@
 
 #include "rubato/cell/topology.hpp"
 #include "rubato/core/naming.hpp"
+#include "rubato/core/transformed.hpp"
 #include "rubato/material/make_point_law.hpp"
 #include "rubato/model/bodies.hpp"
 #include "rubato/model/layers.hpp"
@@ -41,9 +42,7 @@ std::vector<std::vector<std::size_t>> cells_by_material(const study::Study& stud
 
 /// "QUAD4", "QUAD4 and TRIA3".
 std::string names_of(const std::set<CellType>& types) {
-  std::vector<std::string> names;
-  for (const auto type : types)
-    names.emplace_back(cell::topology(type).name);
+  const auto names = transformed<std::string>(types, [](CellType type) { return cell::topology(type).name; });
   return joined(names, " and ");
 }
 

@@ -26,7 +26,7 @@ constexpr std::size_t most_directions = most_sides / 2;
 /// A side of a cell: its place in `bulk.cells`, and which side.
 struct Side {
   std::int32_t cell = none;
-  std::uint8_t side = 0;
+  std::uint32_t side = 0;
 };
 
 bool has_rows(CellType type) {
@@ -43,17 +43,17 @@ bool share_a_node(const cell::CellSide& one, const cell::CellSide& other) {
 
 /// Pairs of sides without a common node; `direction` of a side is the number of its pair.
 struct OppositeSides {
-  std::array<std::uint8_t, most_sides> other{};
-  std::array<std::uint8_t, most_sides> direction{};
-  std::array<std::uint8_t, most_directions> first{};
+  std::array<std::uint32_t, most_sides> other{};
+  std::array<std::uint32_t, most_sides> direction{};
+  std::array<std::uint32_t, most_directions> first{};
 };
 
 OppositeSides opposite_sides(CellType type) {
   const auto sides = cell::topology(type).sides;
   OppositeSides found;
-  std::uint8_t directions = 0;
-  for (std::uint8_t a = 0; a < sides.size(); ++a)
-    for (std::uint8_t b = a + 1; b < sides.size(); ++b)
+  std::uint32_t directions = 0;
+  for (std::uint32_t a = 0; a < sides.size(); ++a)
+    for (std::uint32_t b = a + 1; b < sides.size(); ++b)
       if (!share_a_node(sides[a], sides[b])) {
         found.other.at(a) = b;
         found.other.at(b) = a;
@@ -94,7 +94,7 @@ public:
     collect_sides();
     for (std::size_t cell = 0; cell < cells_.size(); ++cell)
       if (has_rows(type_of(cell)))
-        for (std::uint8_t direction = 0; direction < directions_of(cell); ++direction)
+        for (std::uint32_t direction = 0; direction < directions_of(cell); ++direction)
           if (row_of(cell, direction) == none)
             walk(cell, direction);
   }
@@ -103,7 +103,7 @@ public:
     Layers layers;
     if (!has_rows(type_of(cell)))
       return layers;
-    for (std::uint8_t direction = 0; direction < directions_of(cell); ++direction) {
+    for (std::uint32_t direction = 0; direction < directions_of(cell); ++direction) {
       const auto& row = rows_[static_cast<std::size_t>(row_of(cell, direction))];
       if (!row.known)
         return {};
@@ -123,14 +123,14 @@ private:
   const OppositeSides& opposite(std::size_t cell) const {
     return type_of(cell) == CellType::quad4 ? of_quad4_ : of_hexa8_;
   }
-  std::int32_t& row_of(std::size_t cell, std::uint8_t direction) {
+  std::int32_t& row_of(std::size_t cell, std::uint32_t direction) {
     return row_of_[cell * most_directions + direction];
   }
-  std::int32_t row_of(std::size_t cell, std::uint8_t direction) const {
+  std::int32_t row_of(std::size_t cell, std::uint32_t direction) const {
     return row_of_[cell * most_directions + direction];
   }
 
-  mesh::CornerSet corners(std::size_t cell, std::uint8_t side) const {
+  mesh::CornerSet corners(std::size_t cell, std::uint32_t side) const {
     return mesh::corner_set(cells_[cell].nodes, cell::topology(type_of(cell)).sides[side]);
   }
 
@@ -138,7 +138,7 @@ private:
   void collect_sides() {
     for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
       const auto count = cell::topology(type_of(cell)).sides.size();
-      for (std::uint8_t side = 0; side < count; ++side) {
+      for (std::uint32_t side = 0; side < count; ++side) {
         const auto number = static_cast<std::size_t>(sets_.insert(corners(cell, side)));
         if (number == cells_at_.size())
           cells_at_.emplace_back();
@@ -149,12 +149,12 @@ private:
   }
 
   /// What is beyond a side; no cell at the surface.
-  Side beyond(std::size_t cell, std::uint8_t side) const {
+  Side beyond(std::size_t cell, std::uint32_t side) const {
     const auto& [one, other] = cells_at_[static_cast<std::size_t>(sets_.find(corners(cell, side)))];
     return one.cell == static_cast<std::int32_t>(cell) ? other : one;
   }
 
-  Eigen::Vector3d centre(std::size_t cell, std::uint8_t side) const {
+  Eigen::Vector3d centre(std::size_t cell, std::uint32_t side) const {
     const auto nodes = cells_[cell].nodes;
     const auto& own = cell::topology(type_of(cell)).sides[side].nodes;
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -166,19 +166,19 @@ private:
   }
 
   /// Between the centres of both sides.
-  Eigen::Vector3d across(std::size_t cell, std::uint8_t direction) const {
+  Eigen::Vector3d across(std::size_t cell, std::uint32_t direction) const {
     const auto first = opposite(cell).first.at(direction);
     return contact::difference_of(centre(cell, opposite(cell).other.at(first)), centre(cell, first));
   }
 
-  void take(std::size_t cell, std::uint8_t direction, Row& row) {
+  void take(std::size_t cell, std::uint32_t direction, Row& row) {
     row_of(cell, direction) = static_cast<std::int32_t>(rows_.size());
     row.length += contact::length_of(across(cell, direction));
     ++row.count;
   }
 
   /// On from a side until the surface, a cell of another shape, or a cell of the row itself.
-  void follow(std::size_t cell, std::uint8_t out, Row& row) {
+  void follow(std::size_t cell, std::uint32_t out, Row& row) {
     for (;;) {
       const auto [next, in] = beyond(cell, out);
       if (next == none)
@@ -196,7 +196,7 @@ private:
     }
   }
 
-  void walk(std::size_t cell, std::uint8_t direction) {
+  void walk(std::size_t cell, std::uint32_t direction) {
     Row row;
     const auto first = opposite(cell).first.at(direction);
     take(cell, direction, row);

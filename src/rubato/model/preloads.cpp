@@ -2,6 +2,7 @@
 #include "rubato/model/preloads.hpp"
 
 #include "rubato/contact/small_vectors.hpp"
+#include "rubato/core/transformed.hpp"
 #include "rubato/mesh/names.hpp"
 #include "rubato/model/build.hpp"
 #include "rubato/model/embedding.hpp"
@@ -174,10 +175,8 @@ std::vector<char> behind_plane(const mesh::Mesh& mesh, std::span<const CellIndex
         contact::dot(normal, contact::difference_of(centre_of_cell(mesh, cell), as_vector(plane.point))));
     farthest = std::max(farthest, std::abs(distances.back()));
   }
-  std::vector<char> behind;
-  for (const double distance : distances)
-    behind.push_back(distance < -on_plane * farthest ? 1 : 0);
-  return behind;
+  return transformed<char>(distances,
+                           [&](double distance) { return distance < -on_plane * farthest ? 1 : 0; });
 }
 
 std::vector<PreloadedCut> split_at_preloads(const study::Study& study, mesh::Mesh& mesh,

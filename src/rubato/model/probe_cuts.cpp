@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/core/transformed.hpp"
 #include "rubato/domain/cut.hpp"
 #include "rubato/model/build.hpp"
 
@@ -66,9 +67,8 @@ private:
   }
 
   Sides sides_of(const std::vector<std::size_t>& cells) const {
-    std::vector<mesh::CellIndex> of_mesh;
-    for (const auto cell : cells)
-      of_mesh.push_back(bulk_.cells[cell]);
+    const auto of_mesh =
+        transformed<mesh::CellIndex>(cells, [&](std::size_t cell) { return bulk_.cells[cell]; });
     const auto behind = behind_plane(mesh_, of_mesh, cut_);
     Sides sides;
     for (std::size_t i = 0; i < cells.size(); ++i)

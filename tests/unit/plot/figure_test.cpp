@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "support/faults.hpp"
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <pugixml.hpp>

@@ -239,7 +239,7 @@ InMed read(const std::filesystem::path& file, const std::string& field, med_enti
       MEDfieldnValueWithProfile(id, field.c_str(), 4, MED_NO_IT, entity, geometry, 1, MED_COMPACT_STMODE,
                                 profile.data(), &profile_size, localisation.data(), &places);
   InMed found{Values(static_cast<std::size_t>(std::max<med_int>(cells, 0) * places * 6)),
-              static_cast<int>(places), localisation.c_str()};
+              static_cast<int>(places), localisation.substr(0, localisation.find('\0'))};
   EXPECT_GE(MEDfieldValueWithProfileRd(id, field.c_str(), 4, MED_NO_IT, entity, geometry, MED_COMPACT_STMODE,
                                        profile.c_str(), MED_FULL_INTERLACE, MED_ALL_CONSTITUENT,
                                        reinterpret_cast<unsigned char*>(found.values.data())),

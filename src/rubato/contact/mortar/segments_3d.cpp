@@ -81,7 +81,7 @@ Eigen::AlignedBox2d box_around(const Polygon& polygon) {
 /// The box of a face in the plane, grown where it may bulge.
 Eigen::AlignedBox2d box_around(CellType type, const FaceCoordinates& local) {
   const auto box = box_of(type, local);
-  const Vector3d low = box.min(), high = box.max();
+  const Vector3d &low = box.min(), &high = box.max();
   return {Vector2d(low[0], low[1]), Vector2d(high[0], high[1])};
 }
 

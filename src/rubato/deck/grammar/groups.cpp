@@ -2,6 +2,7 @@
 // Groups that are made of what the mesh has.
 #include "rubato/study/groups.hpp"
 
+#include "rubato/core/transformed.hpp"
 #include "rubato/deck/grammar/parts.hpp"
 #include "rubato/study/bounds.hpp"
 #include "rubato/study/words.hpp"
@@ -43,9 +44,9 @@ Forms shape(GroupKind kind) {
 } // namespace
 
 Forms groups() {
-  std::vector<Key> keys;
-  for (const auto& entry : study::group_kinds)
-    keys.push_back({std::string(entry.name), std::string(entry.meaning), shape(entry.kind)});
+  auto keys = transformed<Key>(study::group_kinds, [](const auto& entry) {
+    return Key{std::string(entry.name), std::string(entry.meaning), shape(entry.kind)};
+  });
   keys.push_back({"of", "group that is looked at; everything when not given", name()});
   keys.push_back(
       {"within",

@@ -3,6 +3,7 @@
 
 #include "rubato/core/error.hpp"
 #include "rubato/core/naming.hpp"
+#include "rubato/core/transformed.hpp"
 #include "rubato/mesh/io/med_fields.hpp"
 #include "rubato/mesh/io/mesh_file.hpp"
 #include "rubato/mesh/io/vtu_reader.hpp"
@@ -89,9 +90,7 @@ const auto& field_named(const fs::path& path, const std::string& name, const Fie
   const auto found = std::ranges::find(fields, name, name_of);
   if (found != fields.end())
     return *found;
-  std::vector<std::string> names;
-  for (const auto& field : fields)
-    names.push_back(std::invoke(name_of, field));
+  const auto names = transformed<std::string>(fields, name_of);
   refuse(path, names.empty()
                    ? std::string("holds no field at the nodes")
                    : fmt::format("holds no field {} at the nodes{}", shown(name), suggestion(name, names)));
@@ -142,9 +141,7 @@ NodalSamples from_pvd(const fs::path& path, const WantedField& wanted) {
   if (entries.empty())
     refuse(path, "names no files");
   std::ranges::stable_sort(entries, {}, &vtk::PvdEntry::time);
-  std::vector<double> instants;
-  for (const auto& entry : entries)
-    instants.push_back(entry.time);
+  const auto instants = transformed<double>(entries, &vtk::PvdEntry::time);
   NodalSamples samples;
   for (const auto i : chosen(path, wanted, instants))
     add_vtu(entries[i].file, wanted, instants[i], samples);

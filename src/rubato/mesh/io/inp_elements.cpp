@@ -3,6 +3,7 @@
 
 #include "rubato/cell/topology.hpp"
 #include "rubato/core/naming.hpp"
+#include "rubato/core/transformed.hpp"
 #include "rubato/mesh/io/inp_keywords.hpp"
 
 #include <algorithm>
@@ -111,9 +112,7 @@ const ElementType* element_type_named(std::string_view name) {
 }
 
 std::string nearest_element_type(std::string_view name) {
-  std::vector<std::string> names;
-  for (const auto& type : types)
-    names.emplace_back(type.name);
+  const auto names = transformed<std::string>(types, &ElementType::name);
   return nearest_word(std::string(name.substr(0, 30)), names);
 }
 

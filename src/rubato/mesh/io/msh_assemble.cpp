@@ -122,7 +122,7 @@ std::string name_of(const Content& content, Entity group) {
   return fmt::format("{}_{}", kinds.at(static_cast<std::size_t>(group.dimension)), group.tag);
 }
 
-std::vector<Group> as_groups(std::map<std::string, std::vector<std::int32_t>> members) {
+std::vector<Group> as_groups(std::map<std::string, std::vector<std::int32_t>>&& members) {
   std::vector<Group> groups;
   groups.reserve(members.size());
   for (auto& [name, items] : members) {

@@ -22,7 +22,7 @@ using Tag = std::int64_t;
 struct Entity {
   int dimension = 0;
   Tag tag = 0;
-  auto operator<=>(const Entity&) const = default;
+  auto operator<=>(const Entity&) const = default; // NOLINT(modernize-use-nullptr): the check errs here
 };
 
 /// Cells of one type, with the tags that Gmsh gives nodes, in our order of a cell's nodes.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // What laws beyond linear elasticity have that is no plain number: hardening, back stresses, terms of series.
+#include "rubato/core/transformed.hpp"
 #include "rubato/study/formulation.hpp"
 #include "rubato/study/rules/rules.hpp"
 
@@ -37,9 +38,7 @@ void check_stresses(Rules& rules, const std::vector<Point>& points, const std::s
 }
 
 void check_table(Rules& rules, const std::vector<Point>& points, const std::string& path) {
-  std::vector<double> strains;
-  for (const auto& point : points)
-    strains.push_back(point[0]);
+  const auto strains = transformed<double>(points, [](const Point& point) { return point[0]; });
   if (strains.front() != 0)
     rules.broken(
         {path + ".0.0"},

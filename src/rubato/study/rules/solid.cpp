@@ -41,19 +41,20 @@ void check_numbers(Rules& rules, const Material& material, const std::string& pa
       rules.number(path + "." + std::string(number.key), *value, number.range,
                    advice_for(material, number.key, *value));
   for (const auto& [key, value] : material.in_place) {
+    const auto number_path = fmt::format("{}.{}", path, key);
     const auto number = std::ranges::find(law.numbers, key, &Number<Material>::key);
     if (number != law.numbers.end() && !law.in_place)
       rules.broken(
-          {path + "." + key, path + ".law"},
+          {number_path, path + ".law"},
           fmt::format("depends on the place, but the law {} has the same numbers everywhere; expected "
                       "a number",
                       law.name));
     else if (number != law.numbers.end())
-      check_in_place(rules, value, number->range, path + "." + key);
+      check_in_place(rules, value, number->range, number_path);
     else if (key == "density")
-      check_in_place(rules, value, bounds::density_in_place, path + "." + key);
+      check_in_place(rules, value, bounds::density_in_place, number_path);
     else
-      rules.broken({path + "." + key, path + ".law"}, fmt::format("the law {} takes no {}", law.name, key));
+      rules.broken({number_path, path + ".law"}, fmt::format("the law {} takes no {}", law.name, key));
   }
 }
 
