@@ -3,6 +3,8 @@
 /// A page sdnl140_<letters>, as in sdnl140_f, has the runs of these modelings only.
 #include "verification/verify.hpp"
 
+#include "rubato/core/transformed.hpp"
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -94,10 +96,7 @@ constexpr std::string_view modelings_prefix = "sdnl140_";
 std::string fault_of(const std::string& name) {
   if (name.starts_with(modelings_prefix) || std::ranges::find(entries, name, &Entry::page) != entries.end())
     return "";
-  std::vector<std::string_view> pages;
-  pages.reserve(entries.size());
-  for (const auto& entry : entries)
-    pages.push_back(entry.page);
+  const auto pages = rubato::transformed<std::string_view>(entries, &Entry::page);
   return fmt::format("{} is no page; there are {}, {}<letters>", name, fmt::join(pages, ", "),
                      modelings_prefix);
 }

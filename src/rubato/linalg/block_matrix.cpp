@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/linalg/block_matrix.hpp"
 
+#include "rubato/linalg/sparse_matrix.hpp"
+
 #include <algorithm>
 #include <span>
 #include <stdexcept>
 
 namespace rubato::linalg {
 namespace {
-
-using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
 std::size_t at(std::int64_t i) {
   return static_cast<std::size_t>(i);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/linalg/sparse_sum.hpp"
 
+#include "rubato/linalg/sparse_matrix.hpp"
+
 #include <algorithm>
 
 namespace rubato::linalg {
 namespace {
-
-using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
 bool same_places(const SparseMatrix& a, const SparseMatrix& b) {
   return a.isCompressed() && b.isCompressed() && a.nonZeros() == b.nonZeros() &&
