@@ -2,6 +2,7 @@
 // The page on mortar contact.
 #include <fmt/format.h>
 
+#include "verification/edge_drag.hpp"
 #include "verification/hertz.hpp"
 #include "verification/mortar_beams.hpp"
 #include "verification/mortar_drag.hpp"
@@ -251,6 +252,45 @@ void write_drags(Page& page) {
                "8 × 0.5 at 0°, twice as fine");
 }
 
+void write_edge(Page& page, const char* shape, const EdgeDrag& how) {
+  auto rubbing = how;
+  rubbing.friction = 0.1;
+  const auto smooth = drag_edge(how), rough = drag_edge(rubbing);
+  const std::vector<std::string> what{shape, fmt::format("{}", how.degrees), name_of(how.cells),
+                                      how.rail_is_slave ? "rail" : "body"};
+  const auto failure = smooth.failure.empty() ? rough.failure : smooth.failure;
+  if (!failure.empty()) {
+    page.row({what[0], what[1], what[2], what[3], failure, "", "", ""});
+    return;
+  }
+  page.row({what[0], what[1], what[2], what[3], fmt::format("{:.0e}", smooth.drag),
+            fmt::format("{:.0e}", smooth.impact), fmt::format("{:.4f}", rough.drag),
+            fmt::format("{:.1f}, {:.1f}", smooth.iterations, rough.iterations)});
+}
+
+void write_edges(Page& page) {
+  page.paragraph("## Edges on a smooth rail");
+  page.paragraph(
+      "A body is pressed on a rail and dragged over six of its faces: a block that is tilted about its "
+      "edge, one that is flat over two thirds and then rises (ski), one that falls at half of the slope "
+      "and then rises (wedge). Without friction: mean drag over mean N, which is 0, and what contact took "
+      "of the energy, over the largest strain energy. With μ = 0.1: mean drag over mean N. Iterations a "
+      "step without and with friction.");
+  page.table({"body", "degrees", "cells", "slave", "drag/N, μ = 0", "energy taken", "drag/N, μ = 0.1",
+              "iterations"});
+  for (const auto cells : {CellType::quad4, CellType::quad8, CellType::tria6, CellType::hexa8,
+                           CellType::hexa20, CellType::tetra10})
+    for (const bool rail_is_slave : {false, true}) {
+      const bool all = cells == CellType::quad4;
+      for (const double degrees : all ? std::vector{0.5, 2., 5., 10., 20., 45.} : std::vector{2., 20.})
+        write_edge(page, "tilted block", {Profile::tilted, degrees, cells, rail_is_slave});
+      for (const double degrees : all ? std::vector{2.9, 10., 14., 45.} : std::vector{10.}) {
+        write_edge(page, "ski", {Profile::ski, degrees, cells, rail_is_slave});
+        write_edge(page, "wedge", {Profile::wedge, degrees, cells, rail_is_slave});
+      }
+    }
+}
+
 void write_trial(Page& page) {
   page.paragraph("## Drag, turn, reverse");
   page.paragraph(
@@ -375,6 +415,7 @@ void write_mortar(const std::filesystem::path& folder) {
   write_solid_rings(page);
   write_rounds(page);
   write_drags(page);
+  write_edges(page);
   write_trial(page);
   write_cylinders(page);
   write_orders(page);

@@ -322,6 +322,16 @@ FaceGeometry face_geometry(CellType type, const FaceCoordinates& nodes, const Ve
   return with_kind(type, [&](auto kind) { return FaceMap<decltype(kind)>(nodes, cell).at(xi); });
 }
 
+Vector3d outward_normal(CellType type, const FaceCoordinates& nodes, const Vector2d& xi) {
+  constexpr double no_area = 1e-14; // in squared face sizes: rounding
+  const auto at = face_geometry(type, nodes, xi);
+  const Vector3d first = column_of(at.tangents, 0), second = column_of(at.tangents, 1);
+  const Vector3d area = cross(first, second);
+  const double size =
+      cell::topology(type).dimension == 2 ? dot(first, first) + dot(second, second) : length_of(first);
+  return length_of(area) > no_area * size ? unit_of(area) : Vector3d(0, 0, 0);
+}
+
 Vector3d face_position(CellType type, const FaceCoordinates& nodes, const Vector2d& xi) {
   const auto& cell = cell::reference_cell(type);
   return with_kind(type, [&](auto kind) { return FaceMap<decltype(kind)>(nodes, cell).position(xi); });

@@ -36,6 +36,9 @@ struct FaceGeometry {
 FaceGeometry face_geometry(CellType type, const FaceCoordinates& nodes, const FaceShape& shape);
 FaceGeometry face_geometry(CellType type, const FaceCoordinates& nodes, const Eigen::Vector2d& xi);
 
+/// The outward unit normal at ξ; 0 where the face has no area.
+Eigen::Vector3d outward_normal(CellType type, const FaceCoordinates& nodes, const Eigen::Vector2d& xi);
+
 /// x(ξ) alone.
 Eigen::Vector3d face_position(CellType type, const FaceCoordinates& nodes, const Eigen::Vector2d& xi);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/sharp_edges.hpp"
 
+#include "rubato/contact/kinks.hpp"
 #include "rubato/contact/mortar/frames.hpp"
 #include "rubato/core/disjoint_sets.hpp"
 
@@ -57,18 +58,16 @@ Surface with_split_edges(const Surface& surface, std::span<const Eigen::Vector3d
   Surface split = surface;
   split.nodes.clear();
   split.faces_of_node.clear();
+  std::vector<Eigen::Vector3d> places;
   for (std::size_t j = 0; j < surface.nodes.size(); ++j)
     for (auto& side : sides_around(smooth, surface.faces_of_node[j])) {
       place_node(static_cast<int>(split.nodes.size()), surface.nodes[j], side, split);
       split.nodes.push_back(surface.nodes[j]);
       split.faces_of_node.push_back(std::move(side));
+      places.push_back(undeformed[j]);
     }
+  measure_kinks(places, split);
   return split;
-}
-
-std::optional<SharpEdge> sharpest_edge(const Surface& surface, std::span<const Eigen::Vector3d> undeformed,
-                                       const EdgeRange& range) {
-  return mortar::sharpest_edge(surface, undeformed, range);
 }
 
 std::vector<std::size_t> smooth_parts(const Surface& surface, std::span<const Eigen::Vector3d> undeformed) {

@@ -10,7 +10,6 @@
 
 #include <Eigen/Core>
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,21 +21,6 @@ inline constexpr double sharp_edge = 60;
 /// The same faces. `nodes` has a node once for every set of its faces that are joined around it by edges of
 /// at most 60°: ascending, with repeats; position_of gives the first of them. `undeformed` by position.
 Surface with_split_edges(const Surface& surface, std::span<const Eigen::Vector3d> undeformed);
-
-/// An edge by the normals that its faces have there, and one of its nodes.
-struct SharpEdge {
-  double degrees = 0; ///< between the normals
-  mesh::NodeIndex node = 0;
-};
-
-/// [degrees]
-struct EdgeRange {
-  double above = 0, up_to = 180;
-};
-
-/// The sharpest edge in that range. `undeformed` by position.
-std::optional<SharpEdge> sharpest_edge(const Surface& surface, std::span<const Eigen::Vector3d> undeformed,
-                                       const EdgeRange& range);
 
 /// Which part each face belongs to: a part is what edges of at most 60° join. Parts are numbered in the order
 /// of their first faces. `undeformed` by position.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/surface.hpp"
 
+#include "rubato/contact/kinks.hpp"
+
 #include <algorithm>
 #include <limits>
 
@@ -50,6 +52,7 @@ Surface make_surface(const mesh::Mesh& mesh, std::vector<Face> faces) {
   collect_nodes(surface);
   collect_neighbours(surface);
   measure_edges(surface, mesh);
+  measure_kinks(undeformed_places(mesh, surface), surface);
   return surface;
 }
 

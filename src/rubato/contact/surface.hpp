@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct Face {
   std::array<mesh::NodeIndex, 9> nodes{};
   std::array<int, 9> positions{}; ///< of these nodes in their surface's, once it is made
   mesh::CellIndex cell = 0;       ///< the face's own cell in the mesh
+  std::array<double, 9> kinks{};  ///< at its nodes (kinks.hpp)
 
   std::span<const mesh::NodeIndex> node_span() const {
     return std::span(nodes).first(static_cast<std::size_t>(node_count));
@@ -34,6 +36,7 @@ struct Surface {
   std::vector<Face> faces;
   std::vector<mesh::NodeIndex> nodes;          ///< ascending, without repeats
   std::vector<std::vector<int>> faces_of_node; ///< by position in `nodes`
+  std::vector<std::uint8_t> at_edge;           ///< by position: whether the surface ends there (kinks.hpp)
   double shortest_edge = 0;                    ///< between corners, undeformed [length]
   double longest_edge = 0;
 

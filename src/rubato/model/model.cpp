@@ -21,7 +21,6 @@
 #include "rubato/model/gauges.hpp"
 #include "rubato/model/large_contact.hpp"
 #include "rubato/model/model_forces.hpp"
-#include "rubato/model/mortar_edges.hpp"
 #include "rubato/model/node_label.hpp"
 #include "rubato/model/rigid_motions.hpp"
 #include "rubato/model/rigid_sides.hpp"
@@ -157,7 +156,6 @@ Model lay_out(const study::Study& asked, mesh::Mesh mesh, std::vector<PreloadedC
     model.notes.push_back(*note);
   std::ranges::move(notes_on_rigid_slaves(model), std::back_inserter(model.notes));
   std::ranges::move(notes_on_formulations(model), std::back_inserter(model.notes));
-  std::ranges::move(edges_in_mortar_zones(model.zones, model.mesh), std::back_inserter(model.notes));
   if (study.time.scheme == study::SchemeKind::static_steps) {
     mark_soft_springs(model);
     model.gauges = make_gauges(model, model.notes);

@@ -17,23 +17,11 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// A normal whose area vector is shorter than that, in squared face sizes, is rounding.
-constexpr double no_area = 1e-14;
 /// A direction's part across the normal below that, of its length, is none.
 constexpr double no_direction = 1e-8;
 
 double radians(double degrees) {
   return degrees * std::numbers::pi / 180;
-}
-
-/// The unit normal of a face at ξ; 0 where it has no area.
-Vector3d unit_normal(CellType type, const FaceCoordinates& coordinates, const Vector2d& xi) {
-  const auto at = face_geometry(type, coordinates, xi);
-  const Vector3d first = column_of(at.tangents, 0), second = column_of(at.tangents, 1);
-  const Vector3d area = cross(first, second);
-  const double size =
-      parametric_dimension(type) == 2 ? dot(first, first) + dot(second, second) : length_of(first);
-  return length_of(area) > no_area * size ? unit_of(area) : Vector3d(0, 0, 0);
 }
 
 Vector2d node_place(CellType type, std::size_t node) {
@@ -101,7 +89,7 @@ void nodal_normals(const Surface& surface, std::span<const Vector3d> x, std::spa
   for (const auto& face : surface.faces) {
     const auto coordinates = values_of(face, x);
     for (std::size_t i = 0; i < face.node_span().size(); ++i)
-      add_scaled(1, unit_normal(face.type, coordinates, node_place(face.type, i)),
+      add_scaled(1, outward_normal(face.type, coordinates, node_place(face.type, i)),
                  normals[static_cast<std::size_t>(face.positions[i])]);
   }
   for (std::size_t j = 0; j < normals.size(); ++j) {
@@ -139,6 +127,20 @@ Frame frame_of(const Vector3d& outward, const Vector3d& along, int dimension) {
   return frame;
 }
 
+Eigen::Matrix<double, 3, 2> turned(const Eigen::Matrix<double, 3, 2>& tangents, const Frame& from,
+                                   const Frame& to) {
+  Eigen::Matrix<double, 3, 2> result;
+  for (int a = 0; a < 2; ++a) {
+    const Vector3d tangent = column_of(tangents, a);
+    Vector3d sum = scaled(dot(from.normal, tangent), to.normal);
+    for (int b = 0; b < 2; ++b)
+      add_scaled(dot(column_of(from.tangents, b), tangent), column_of(to.tangents, b), sum);
+    for (int c = 0; c < 3; ++c)
+      result(c, a) = sum[c];
+  }
+  return result;
+}
+
 namespace {
 
 /// Two faces with a common edge.
@@ -146,7 +148,6 @@ struct CommonEdge {
   int one = 0;
   int other = 0;
   double cosine = 1; ///< of the angle between their normals there; 1 where one has no area
-  mesh::NodeIndex node = 0;
 };
 
 /// All of them, the first face at an edge with each of the others.
@@ -158,13 +159,13 @@ void for_each_common_edge(const Surface& surface, std::span<const Vector3d> x, c
                   [&](const Edge& edge, const EdgePlace& place) { edges[edge].push_back(place); });
   const auto normal_at = [&](const EdgePlace& place) {
     const auto& face = surface.faces[static_cast<std::size_t>(place.face)];
-    return unit_normal(face.type, values_of(face, x), place.xi);
+    return outward_normal(face.type, values_of(face, x), place.xi);
   };
   for (const auto& [edge, places] : edges)
     for (std::size_t i = 1; i < places.size(); ++i) {
       const Vector3d one = normal_at(places[0]), other = normal_at(places[i]);
       const bool known = !is_zero(one) && !is_zero(other);
-      visit(CommonEdge{places[0].face, places[i].face, known ? dot(one, other) : 1, edge[0]});
+      visit(CommonEdge{places[0].face, places[i].face, known ? dot(one, other) : 1});
     }
 }
 
@@ -180,20 +181,6 @@ std::optional<std::pair<int, int>> first_sharp_edge(const Surface& surface, std:
       first = faces;
   });
   return first;
-}
-
-std::optional<SharpEdge> sharpest_edge(const Surface& surface, std::span<const Vector3d> x,
-                                       const EdgeRange& range) {
-  std::optional<SharpEdge> sharpest;
-  const double least_cosine = std::cos(radians(range.up_to));
-  double sharpest_cosine = std::cos(radians(range.above));
-  for_each_common_edge(surface, x, [&](const CommonEdge& edge) {
-    if (edge.cosine < sharpest_cosine && edge.cosine >= least_cosine) {
-      sharpest_cosine = edge.cosine;
-      sharpest = {std::acos(std::max(edge.cosine, -1.)) * 180 / std::numbers::pi, edge.node};
-    }
-  });
-  return sharpest;
 }
 
 std::vector<std::pair<int, int>> smooth_neighbours(const Surface& surface, std::span<const Vector3d> x,

@@ -42,14 +42,14 @@ std::vector<int> tangent_neighbours(const Surface& surface);
 /// across it. `dimension` of space: 2 or 3.
 Frame frame_of(const Eigen::Vector3d& outward, const Eigen::Vector3d& along, int dimension);
 
+/// Tangents turned by what turns one frame to another: the same in the body that both frames are of.
+Eigen::Matrix<double, 3, 2> turned(const Eigen::Matrix<double, 3, 2>& tangents, const Frame& from,
+                                   const Frame& to);
+
 /// The first two faces with a common edge (2D: node) whose normals there are more than that many degrees
 /// apart: the averaged normal says nothing about either.
 std::optional<std::pair<int, int>>
 first_sharp_edge(const Surface& surface, std::span<const Eigen::Vector3d> x, double degrees = sharp_edge);
-
-/// The sharpest edge in that range.
-std::optional<SharpEdge> sharpest_edge(const Surface& surface, std::span<const Eigen::Vector3d> x,
-                                       const EdgeRange& range);
 
 /// All pairs (low, high) of faces with a common edge whose normals there are at most that many degrees apart.
 std::vector<std::pair<int, int>> smooth_neighbours(const Surface& surface, std::span<const Eigen::Vector3d> x,

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/mortar/operators.hpp"
 
+#include "rubato/cell/reference_cell.hpp"
+#include "rubato/contact/mortar/directions.hpp"
 #include "rubato/contact/mortar/parts.hpp"
 #include "rubato/contact/mortar/self_contact_normals.hpp"
 #include "rubato/contact/small_vectors.hpp"
 #include "rubato/core/index.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rubato::contact::mortar {
 namespace {
@@ -108,6 +111,9 @@ private:
       return;
     for (const auto& range : work_.ranges)
       add_overlap(range);
+    if (!options_.mean_normals)
+      for (const auto& range : work_.ranges)
+        add_faced(range);
     part_.last_overlap = work_.overlaps.size();
     make_dual(placed, reference_, work_, part_);
     work_.parts.push_back(part_);
@@ -143,6 +149,57 @@ private:
   bool counts(const PointRange& range) const {
     return std::ranges::any_of(range.of(std::span<const Point>(work_.overlap.points)),
                                [](const Point& point) { return point.weight != 0; });
+  }
+
+  void add_faced(const PointRange& range) {
+    if (!counts(range))
+      return;
+    const auto points = range.of(std::span<const Point>(work_.overlap.points));
+    const auto weighted = range.of(std::span<const Eigen::Vector4d>(work_.weighted));
+    for (std::size_t p = 0; p < points.size(); ++p)
+      if (points[p].weight != 0)
+        add_faced(points[p], range.master_face, weighted[p]);
+    for (const auto& corner : range.of_corners(work_.overlap.corners)) {
+      measure_overhang(corner);
+      measure_border(corner, range.master_face);
+    }
+  }
+
+  void add_faced(const Point& point, int master_face, const Eigen::Vector4d& weighted) {
+    const auto& face = master_.faces[at(master_face)];
+    const auto& placed = masters_[at(master_face)];
+    const Vector3d normal = outward_normal(placed.type, placed.x, point.eta);
+    double kink = 0, edge = 0;
+    for (int l = 0; l < face.node_count; ++l) {
+      const double value = std::max(0., point.master_values[at(l)]);
+      kink += value * face.kinks[at(l)];
+      edge += value * master_.at_edge[at(face.positions[at(l)])];
+    }
+    for (int i = 0; i < 4; ++i) {
+      for (int c = 0; c < 3; ++c)
+        part_.faced.normals(i, c) += weighted[i] * normal[c];
+      part_.faced.kinks[i] += weighted[i] * kink;
+      part_.faced.edges[i] += weighted[i] * edge;
+    }
+  }
+
+  void measure_border(const Corner& corner, int master_face) {
+    const auto& face = master_.faces[at(master_face)];
+    const auto values = face_values(face.type, corner.eta);
+    double border = 0;
+    for (int l = 0; l < face.node_count; ++l)
+      border += values[at(l)] * master_.at_edge[at(face.positions[at(l)])];
+    part_.faced.border = std::max(part_.faced.border, border);
+  }
+
+  /// The reference face is two long.
+  void measure_overhang(const Corner& corner) {
+    const auto& nodes = cell::reference_cell(slave_.faces[at(part_.face)].type).nodes;
+    for (int i = 0; i < facet().node_count; ++i) {
+      const auto& place = nodes[facet().nodes[at(i)]];
+      auto& overhang = part_.faced.overhang[at(i)];
+      overhang = std::min(overhang, 0.5 * std::hypot(corner.xi[0] - place[0], corner.xi[1] - place[1]));
+    }
   }
 
   /// Adds the integrals over the points to the part, and to one overlap of it.
@@ -230,6 +287,8 @@ void integrate(const Surface& slave, const SlaveReference& reference, const Surf
                     }
                   });
   share_functions(slave, reference, slave_x, options, work, into);
+  if (!options.mean_normals)
+    set_directions(slave, reference, slave_x, options, work, into);
   fill_stencils(slave, &master, reference.dimension, work, into);
   measure_gaps(slave, master, slave_x, master_x, into);
 }

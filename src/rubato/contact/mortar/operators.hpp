@@ -68,8 +68,9 @@ struct Node {
   int slave_nodes = 0;    ///< how many of them are the slave's
   double weight = 0;      ///< w_j [area]; 0 unless kept
   double full_weight = 0; ///< ∫H_j over all faces [area]
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< n_j = −m_j
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< n_j (directions.hpp)
   Eigen::Matrix<double, 3, 2> tangents = Eigen::Matrix<double, 3, 2>::Zero();
+  Frame slave_frame; ///< with the normal −m_j of the slave alone
   Cover cover = Cover::none;
   /// With an obstacle: the mean place it faces; G_j is counted from there. 0 with a master.
   Eigen::Vector3d anchor = Eigen::Vector3d::Zero();

@@ -32,15 +32,25 @@ struct SeenGap {
   int master_face = -1; ///< none before an obstacle
 };
 
+/// What a sub-facet faces, by its nodes: how directions of slave nodes are found (directions.hpp).
+struct FacedMaster {
+  Eigen::Matrix<double, 4, 3> normals = Eigen::Matrix<double, 4, 3>::Zero(); ///< ∫H_i n_m [area]
+  Eigen::Vector4d kinks = Eigen::Vector4d::Zero();                           ///< ∫H_i ΣN_l κ_l [area]
+  Eigen::Vector4d edges = Eigen::Vector4d::Zero(); ///< ∫H_i ΣN_l over nodes at edges [area]
+  std::array<double, 4> overhang{1, 1, 1, 1};      ///< way from the node to what is covered, in faces
+  double border = 0; ///< largest ΣN_l over nodes at edges: 1 where the master ends before the sub-facet
+};
+
 struct Part {
   int face = 0;
   int facet = 0; ///< in the face
   FacetMoments covered;
   Products slave = Products::Zero();
-  Eigen::Vector4d gaps = Eigen::Vector4d::Zero();  ///< ∫H_i g [area · length]
-  Eigen::Matrix4d dual = Eigen::Matrix4d::Zero();  ///< C where all nodes are kept
-  std::array<LeastGaps::Bound, 4> bounds;          ///< of what nodes see, by node (dual.hpp)
-  SeenGap least;                                   ///< the least gap that is seen
+  Eigen::Vector4d gaps = Eigen::Vector4d::Zero(); ///< ∫H_i g [area · length]
+  Eigen::Matrix4d dual = Eigen::Matrix4d::Zero(); ///< C where all nodes are kept
+  std::array<LeastGaps::Bound, 4> bounds;         ///< of what nodes see, by node (dual.hpp)
+  SeenGap least;                                  ///< the least gap that is seen
+  FacedMaster faced;
   std::size_t first_overlap = 0, last_overlap = 0; ///< in Parts::overlaps; of an obstacle: in Parts::seen
 };
 

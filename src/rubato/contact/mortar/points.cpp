@@ -200,30 +200,39 @@ void Points::take_start(const Configuration& configuration) {
   changes_.clear();
   least_shares_.clear();
   if (zone_->obstacle)
-    return take_tangents_before_obstacle();
+    return take_frames_before_obstacle();
   if (!self_)
     reach_.begin(zone_->slave, zone_->master, start_slave_, start_master_, zone_->mortar->longest_face);
-  take_tangents();
+  take_frames();
 }
 
-void Points::take_tangents_before_obstacle() {
+void Points::take_frames_before_obstacle() {
   Operators before;
   integrate_at(start_slave_, {}, start_t_, before);
-  start_tangents_.resize(start_slave_.size());
-  for (std::size_t i = 0; i < start_tangents_.size(); ++i)
-    start_tangents_[i] = before.nodes[i].tangents;
+  start_frames_.resize(start_slave_.size());
+  for (std::size_t i = 0; i < start_frames_.size(); ++i)
+    start_frames_[i] = {before.nodes[i].normal, before.nodes[i].tangents};
 }
 
-void Points::take_tangents() {
+void Points::take_frames() {
   std::vector<Vector3d> normals;
   if (self_)
     mean_normals(zone_->slave, *zone_->mortar, start_slave_, options_at(start_slave_, {}), workspace_,
                  normals);
   else
     set_normals(zone_->slave, *zone_->mortar, start_slave_, {.held = zone_->held}, normals);
-  start_tangents_.resize(start_slave_.size());
-  for (std::size_t i = 0; i < start_tangents_.size(); ++i)
-    start_tangents_[i] = node_frame(*zone_->mortar, start_slave_, normals, i).tangents;
+  start_frames_.resize(start_slave_.size());
+  for (std::size_t i = 0; i < start_frames_.size(); ++i)
+    start_frames_[i] = node_frame(*zone_->mortar, start_slave_, normals, i);
+}
+
+/// Before a master the frame of a node has turned with the slave's since then.
+Eigen::Matrix<double, 3, 2> Points::start_tangents(std::size_t position) const {
+  const auto& start = start_frames_[position];
+  if (zone_->obstacle)
+    return start.tangents;
+  const auto& now = now_.nodes[position];
+  return turned(now.tangents, now.slave_frame, start);
 }
 
 Vector3d Points::anchor_motion(const Node& node, const Configuration& configuration) const {
@@ -259,10 +268,11 @@ void Points::measure(std::size_t position, const VectorXd& multipliers, const Co
   const Vector3d start = sum_of(gap_vector(node, [&](auto at) { return configuration.start_position(at); }),
                                 k.obstacle_displacement);
   k.slip_origin.setZero(); // an obstacle that rotates takes frames along
-  if (!zone_->obstacle || !zone_->obstacle->rotation)
+  if (!zone_->obstacle || !zone_->obstacle->rotation) {
+    const auto then = start_tangents(position);
     for (int a = 0; a < 2; ++a)
-      k.slip_origin[a] =
-          dot(difference_of(column_of(start_tangents_[position], a), column_of(node.tangents, a)), start);
+      k.slip_origin[a] = dot(difference_of(column_of(then, a), column_of(node.tangents, a)), start);
+  }
   const Vector3d end = gap_vector(node, [&](auto at) { return configuration.position(at); });
   const Vector3d moved = difference_of(end, start);
   for (int a = 0; a < 2; ++a)

@@ -46,13 +46,14 @@ private:
   void integrate_at(const Positions& slave, const Positions& master, double t, Operators& into);
   Options options_at(const Positions& slave, const Positions& master);
   void take_start(const Configuration& configuration);
-  void take_tangents();
-  void take_tangents_before_obstacle();
+  void take_frames();
+  void take_frames_before_obstacle();
   void hold_those_that_return();
   void ask_another_share_of(std::size_t node);
   void hold_lifts();
   void hold_lift(std::size_t node);
   void take_lifts();
+  Eigen::Matrix<double, 3, 2> start_tangents(std::size_t position) const;
   Eigen::Vector3d anchor_motion(const Node& node, const Configuration& configuration) const;
 
   const Zone* zone_;
@@ -70,10 +71,10 @@ private:
   Workspace workspace_;
   Operators now_;
   Positions slave_, master_;
-  /// Where the slave's nodes were when the step began, and the tangents that they had there.
+  /// Where the slave's nodes were when the step began, and the frames that they had there.
   Positions start_slave_, start_master_;
   double start_t_ = 0;
-  std::vector<Eigen::Matrix<double, 3, 2>> start_tangents_;
+  std::vector<Frame> start_frames_;
 };
 
 void evaluate(Points& points, const Eigen::VectorXd& multipliers, const Configuration& configuration,

@@ -17,7 +17,6 @@ using Eigen::Vector3d;
 constexpr int full_weight_degree = 8;
 /// Distance from the axis of revolution, in face sizes, that is rounding.
 constexpr double on_axis = 1e-12;
-constexpr HeldComponents radial = 1;
 
 double diameter(const FaceCoordinates& x) {
   double squared = 0;
@@ -27,6 +26,16 @@ double diameter(const FaceCoordinates& x) {
       squared = std::max(squared, dot(apart, apart));
     }
   return std::sqrt(squared);
+}
+
+std::vector<double> nodal_kinks(const Surface& slave) {
+  std::vector<double> kinks(slave.nodes.size(), 0);
+  for (const auto& face : slave.faces)
+    for (std::size_t i = 0; i < face.node_span().size(); ++i) {
+      auto& kink = kinks[static_cast<std::size_t>(face.positions[i])];
+      kink = std::max(kink, face.kinks[i]);
+    }
+  return kinks;
 }
 
 /// ∫H_i of an undeformed sub-facet.
@@ -53,6 +62,7 @@ SlaveReference make_slave_reference(const Surface& slave, std::vector<Vector3d> 
   reference.measure = measure;
   reference.full_weight.assign(slave.nodes.size(), 0);
   reference.tangent_neighbour = tangent_neighbours(slave);
+  reference.kinks = nodal_kinks(slave);
   for (const auto& face : slave.faces) {
     const auto coordinates = values_of(face, reference.undeformed);
     reference.dimension = parametric_dimension(face.type) + 1;

@@ -170,9 +170,9 @@ void start_nodes(const Surface& slave, const SlaveReference& reference,
   into.kept_count = 0;
   for (std::size_t j = 0; j < into.nodes.size(); ++j) {
     auto& node = into.nodes[j];
-    const auto frame = node_frame(reference, slave_x, work.normals, j);
-    node.normal = frame.normal;
-    node.tangents = frame.tangents;
+    node.slave_frame = node_frame(reference, slave_x, work.normals, j);
+    node.normal = node.slave_frame.normal;
+    node.tangents = node.slave_frame.tangents;
     node.weight = 0;
     node.full_weight = reference.full_weight[j];
     node.cover = work.kept[j] != 0 ? Cover::kept : work.covered[j] > 0 ? Cover::dropped : Cover::none;

@@ -14,6 +14,7 @@ namespace rubato::contact::mortar {
 
 /// Components that supports hold or symmetry forbids, as bits: 1 x (r), 2 y, 4 z.
 using HeldComponents = std::uint8_t;
+inline constexpr HeldComponents radial = 1;
 
 /// What weights are multiplied with beside the undeformed area or length.
 struct Measure {
@@ -30,6 +31,7 @@ struct SlaveReference {
   std::vector<double> facet_area;       ///< ∫1 of each sub-facet
   std::vector<double> full_weight;      ///< ∫H_j over all faces, by position
   std::vector<int> tangent_neighbour;   ///< by position
+  std::vector<double> kinks;            ///< by position: the largest of Face::kinks
   std::vector<std::uint8_t> on_axis;    ///< by position: whether it stands on the axis of revolution
   double longest_face = 0;              ///< largest distance of two nodes of a face: the default reach
 };
