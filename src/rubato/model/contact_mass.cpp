@@ -1,238 +1,304 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/model/contact_mass.hpp"
 
-#include "rubato/core/error.hpp"
-#include "rubato/linalg/dense_decompositions.hpp"
-#include "rubato/linalg/dense_products.hpp"
-#include "rubato/linalg/sparse_products.hpp"
+#include "rubato/constraint/reduction.hpp"
+#include "rubato/core/index.hpp"
 #include "rubato/model/bodies.hpp"
-#include "rubato/model/model.hpp"
 #include "rubato/model/node_label.hpp"
 
+#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
+#include <map>
 #include <optional>
-#include <span>
+#include <set>
 #include <utility>
-#include <vector>
 
 namespace rubato::model {
 namespace {
 
 using domain::SparseMatrix;
 using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
 
-/// Rounds of Newton's method, which is quadratic from the factor that keeps the mass.
-constexpr int newton_rounds = 20;
-/// Moments that count as kept, relative.
-constexpr double kept_moments = 1e-14;
-/// Factor of a node beyond which moments are not worth it: 4 in its mass.
-constexpr double most_change = 2;
+/// Neighbours of neighbours up to that are near a node.
+constexpr int most_rings = 4;
+/// Distances that differ by less, relative, are the same.
+constexpr double equally_far = 1e-6;
+/// A determinant of an inertia over the cube of its trace that is none.
+constexpr double flat = 1e-6;
 
-/// One entry of m: two numbered nodes and what stands between them.
-struct Entry {
-  int row = 0;
-  int column = 0;
-  double value = 0;
+struct Weight {
+  int node = 0; ///< a numbered one
+  Matrix3d value = Matrix3d::Zero();
 };
+using Weights = std::vector<Weight>;
 
-/// Calls `visit` with every entry of m, the mass of one direction.
-template <class Visit> void for_each_entry(const SparseMatrix& mass, int components, Visit visit) {
-  for (Index column = 0; column < mass.outerSize(); column += components)
-    for (SparseMatrix::InnerIterator entry(mass, column); entry; ++entry)
-      if (entry.row() % components == 0)
-        visit(Entry{static_cast<int>(entry.row()) / components, static_cast<int>(column) / components,
-                    entry.value()});
+Matrix3d cross_matrix(const Vector3d& v) {
+  Matrix3d matrix;
+  matrix << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0;
+  return matrix;
 }
 
-/// A body that loses the mass of its surface.
-struct Body {
-  std::vector<int> nodes; ///< numbered ones
-  SparseMatrix before;    ///< m of those nodes
-  SparseMatrix inside;    ///< the same without what its massless nodes have
-  MatrixXd positions;     ///< 1, x, y, z of each node, from the middle of the body in units of its size
-};
-
-MatrixXd positions_of(const mesh::Mesh& mesh, const domain::DofMap& dofs, const std::vector<int>& nodes) {
-  const auto place = [&](std::size_t i) {
-    return mesh.points[static_cast<std::size_t>(dofs.nodes[static_cast<std::size_t>(nodes[i])])].data();
-  };
-  const auto axes = static_cast<std::size_t>(mesh.dimension);
-  std::array<double, 3> low{place(0)[0], place(0)[1], place(0)[2]};
-  auto high = low;
-  for (std::size_t i = 1; i < nodes.size(); ++i)
-    for (std::size_t axis = 0; axis < axes; ++axis) {
-      low[axis] = std::min(low[axis], place(i)[axis]);
-      high[axis] = std::max(high[axis], place(i)[axis]);
-    }
-  double size = 0;
-  for (std::size_t axis = 0; axis < axes; ++axis)
-    size = std::max(size, high[axis] - low[axis]);
-  MatrixXd positions = MatrixXd::Ones(static_cast<Index>(nodes.size()), mesh.dimension + 1);
-  for (std::size_t axis = 0; axis < axes; ++axis)
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      positions(static_cast<Index>(i), static_cast<Index>(axis) + 1) =
-          (place(i)[axis] - 0.5 * (low[axis] + high[axis])) / size;
-  return positions;
-}
-
-Body take_body(const mesh::Mesh& mesh, const domain::DofMap& dofs, const SparseMatrix& mass,
-               std::vector<int> nodes, const std::vector<char>& massless) {
-  std::vector<int> place(dofs.nodes.size(), -1);
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    place[static_cast<std::size_t>(nodes[i])] = static_cast<int>(i);
-  std::vector<Eigen::Triplet<double, int>> all;
-  std::vector<Eigen::Triplet<double, int>> inside;
-  for_each_entry(mass, dofs.components, [&](const Entry& entry) {
-    const auto row = static_cast<std::size_t>(entry.row);
-    const auto column = static_cast<std::size_t>(entry.column);
-    if (place[row] < 0)
-      return;
-    all.emplace_back(place[row], place[column], entry.value);
-    if (massless[row] == 0 && massless[column] == 0)
-      inside.push_back(all.back());
-  });
-  const auto size = static_cast<Index>(nodes.size());
-  Body body;
-  body.before.resize(size, size);
-  body.before.setFromTriplets(all.begin(), all.end());
-  body.inside.resize(size, size);
-  body.inside.setFromTriplets(inside.begin(), inside.end());
-  body.positions = positions_of(mesh, dofs, nodes);
-  body.nodes = std::move(nodes);
-  return body;
-}
-
-/// Products of `count` columns with each other, one column a pair.
-MatrixXd products_of(const MatrixXd& columns, Index count) {
-  MatrixXd products(columns.rows(), count * (count + 1) / 2);
-  Index next = 0;
-  for (Index p = 0; p < count; ++p)
-    for (Index q = p; q < count; ++q)
-      for (Index i = 0, pair = next++; i < columns.rows(); ++i)
-        products(i, pair) = columns(i, p) * columns(i, q);
-  return products;
-}
-
-double dot(const double* a, const double* b, Index size) {
-  double sum = 0;
-  for (Index i = 0; i < size; ++i)
-    sum += a[i] * b[i];
-  return sum;
-}
-
-/// Σ m_ij p_i q_j of every pair of the first `count` columns of `columns`.
-VectorXd moments_of(const SparseMatrix& mass, const MatrixXd& columns, Index count) {
-  VectorXd moments(count * (count + 1) / 2);
-  Index next = 0;
-  const auto weighed = linalg::product(mass, columns);
-  for (Index p = 0; p < count; ++p)
-    for (Index q = p; q < count; ++q)
-      moments[next++] = dot(&weighed(0, p), &columns(0, q), columns.rows());
-  return moments;
-}
-
-/// Of each node d_i 1, x, y, z.
-MatrixXd scaled_by(const VectorXd& factors, const MatrixXd& columns, Index count) {
-  MatrixXd scaled(columns.rows(), count);
-  for (Index p = 0; p < count; ++p)
-    for (Index i = 0; i < columns.rows(); ++i)
-      scaled(i, p) = factors[i] * columns(i, p);
-  return scaled;
-}
-
-/// How the moments change with the coefficients of the polynomial.
-MatrixXd slope_of(const MatrixXd& columns, const MatrixXd& weighed, const MatrixXd& basis) {
-  MatrixXd slope(basis.cols(), basis.cols());
-  std::vector<double> gradient(static_cast<std::size_t>(columns.rows()));
-  Index row = 0;
-  for (Index p = 0; p < weighed.cols(); ++p)
-    for (Index q = p; q < weighed.cols(); ++q, ++row) {
-      for (Index i = 0; i < columns.rows(); ++i)
-        gradient[static_cast<std::size_t>(i)] = columns(i, p) * weighed(i, q) + columns(i, q) * weighed(i, p);
-      for (Index k = 0; k < basis.cols(); ++k)
-        slope(row, k) = dot(gradient.data(), &basis(0, k), columns.rows());
-    }
-  return slope;
-}
-
-bool are_moderate(const VectorXd& factors) {
-  return std::all_of(factors.begin(), factors.end(),
-                     [](double factor) { return factor > 1 / most_change && factor < most_change; });
-}
-
-/// Factors d with which d_i m_ij d_j has the moments of the first `count` columns of 1, x, y, z: the product
-/// of a polynomial's values, found by Newton's method from the factor that keeps the mass. Nothing comes back
-/// when there are none that are positive and moderate.
-std::optional<VectorXd> factors_of(const Body& body, Index count) {
-  const auto& x = body.positions;
-  const VectorXd wanted = moments_of(body.before, x, count);
-  const double carried = moments_of(body.inside, scaled_by(VectorXd::Ones(x.rows()), x, 1), 1)[0];
-  if (!(carried > 0))
-    return std::nullopt;
-  const MatrixXd basis = products_of(x, count);
-  VectorXd factors = VectorXd::Constant(x.rows(), std::sqrt(wanted[0] / carried));
-  for (int round = 0; round < newton_rounds; ++round) {
-    const auto scaled = scaled_by(factors, x, count);
-    const VectorXd missing = wanted - moments_of(body.inside, scaled, count);
-    if (missing.norm() <= kept_moments * wanted.norm())
-      return count == 1 || are_moderate(factors) ? std::optional(factors) : std::nullopt;
-    const auto slope = slope_of(x, linalg::product(body.inside, scaled), basis);
-    linalg::add_product(basis, linalg::least_norm_solution(slope, missing), factors);
+/// Of an inertia; in the plane about z. Nothing where a rotation moves no place.
+std::optional<Matrix3d> inverse_of(const Matrix3d& inertia, int dimension) {
+  const double size = inertia.trace();
+  Matrix3d inverse = Matrix3d::Zero();
+  if (dimension == 2) {
+    if (!(inertia(2, 2) > 0))
+      return std::nullopt;
+    inverse(2, 2) = 1 / inertia(2, 2);
+    return inverse;
   }
+  if (!(inertia.determinant() > flat * size * size * size))
+    return std::nullopt;
+  return Matrix3d(inertia.inverse());
+}
+
+/// A node inside, seen from a surface node.
+struct Seen {
+  double distance = 0;
+  int node = 0;
+};
+
+/// Numbered nodes that have a cell in common, by the places of a mass matrix.
+class Surroundings {
+public:
+  Surroundings(const mesh::Mesh& mesh, const domain::DofMap& dofs, const SparseMatrix& mass,
+               const std::vector<char>& on_surface)
+      : mesh_(mesh), dofs_(dofs), mass_(mass), on_surface_(on_surface) {}
+
+  const Eigen::Vector3d& place(int node) const { return mesh_.points[at(dofs_.nodes[at(node)])]; }
+
+  template <class Visit> void for_each_neighbour(int node, const Visit& visit) const {
+    const Index column = static_cast<Index>(node) * dofs_.components;
+    for (SparseMatrix::InnerIterator entry(mass_, column); entry; ++entry)
+      if (entry.row() % dofs_.components == 0)
+        visit(static_cast<int>(entry.row() / dofs_.components));
+  }
+
+  /// Nodes inside within so many rings around a node, the nearest first.
+  std::vector<Seen> inside_near(int node, int rings) const {
+    std::set<int> found{node};
+    std::vector<int> front{node};
+    for (int ring = 0; ring < rings; ++ring) {
+      std::vector<int> next;
+      for (const int from : front)
+        for_each_neighbour(from, [&](int to) {
+          if (found.insert(to).second)
+            next.push_back(to);
+        });
+      front = std::move(next);
+    }
+    std::vector<Seen> seen;
+    for (const int other : found)
+      if (on_surface_[at(other)] == 0)
+        seen.push_back({(place(other) - place(node)).norm(), other});
+    std::ranges::sort(seen, [](const Seen& a, const Seen& b) {
+      return a.distance != b.distance ? a.distance < b.distance : a.node < b.node;
+    });
+    return seen;
+  }
+
+  int dimension() const { return mesh_.dimension; }
+
+private:
+  const mesh::Mesh& mesh_;
+  const domain::DofMap& dofs_;
+  const SparseMatrix& mass_;
+  const std::vector<char>& on_surface_;
+};
+
+/// v = v_a + ω × (x − x_a): of the nearest node a, or of the mean of those that are equally near, and with
+/// the rotation of the nodes around, ω = I⁻¹ Σ w_k r_k × v_k, w_k = d_k⁻⁴, r_k from their centre, I = Σ w_k
+/// (|r_k|² 1 − r_k r_kᵀ). Nothing where the places leave a rotation open.
+///
+/// The nearest node alone carries the translation: a smooth mean would not accelerate all nodes of a plane
+/// front alike.
+std::optional<Weights> weights_of(const Surroundings& around, int node, std::span<const Seen> seen) {
+  const double nearest = seen.front().distance;
+  const auto anchors = std::ranges::count_if(
+      seen, [&](const Seen& other) { return other.distance <= (1 + equally_far) * nearest; });
+  std::vector<double> parts;
+  double sum = 0;
+  Vector3d centre(0, 0, 0), anchor(0, 0, 0);
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    sum += parts.emplace_back(std::pow(nearest / seen[k].distance, 4));
+    centre += parts[k] * around.place(seen[k].node);
+    if (static_cast<std::ptrdiff_t>(k) < anchors)
+      anchor += around.place(seen[k].node) / static_cast<double>(anchors);
+  }
+  centre /= sum;
+  Matrix3d inertia = Matrix3d::Zero();
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    const Matrix3d across = cross_matrix(around.place(seen[k].node) - centre);
+    inertia -= parts[k] * across * across;
+  }
+  const auto inverse = inverse_of(inertia, around.dimension());
+  if (!inverse)
+    return std::nullopt;
+  const Matrix3d arm = cross_matrix(around.place(node) - anchor) * *inverse;
+  Weights weights;
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    Matrix3d value = -parts[k] * arm * cross_matrix(around.place(seen[k].node) - centre);
+    if (static_cast<std::ptrdiff_t>(k) < anchors)
+      value += Matrix3d::Identity() / static_cast<double>(anchors);
+    weights.push_back({seen[k].node, value});
+  }
+  return weights;
+}
+
+/// From the nodes inside of the cells around, or farther ones where these are in a line.
+std::optional<Weights> extrapolated(const Surroundings& around, int node) {
+  for (int rings = 1; rings <= most_rings; ++rings)
+    if (const auto seen = around.inside_near(node, rings); !seen.empty())
+      if (auto weights = weights_of(around, node, seen))
+        return weights;
   return std::nullopt;
+}
+
+/// The velocity of the nearest node inside.
+Weights nearest_of(const Surroundings& around, int node) {
+  for (int rings = 1; rings <= most_rings; ++rings)
+    if (const auto seen = around.inside_near(node, rings); !seen.empty())
+      return {{seen.front().node, Matrix3d::Identity()}};
+  return {};
+}
+
+/// The slave nodes of all zones but ties, by body; zones in the terms of bodies.
+struct Surfaces {
+  std::vector<char> on_surface;              ///< by numbered node
+  std::vector<std::vector<int>> of_body;     ///< numbered nodes
+  std::vector<std::set<int>> bodies_of_zone; ///< of zones but ties
+};
+
+Surfaces surfaces_of(std::span<const contact::Zone> zones, const domain::DofMap& dofs, const Bodies& bodies) {
+  Surfaces surfaces;
+  surfaces.on_surface.assign(dofs.nodes.size(), 0);
+  surfaces.of_body.resize(at(bodies.count()));
+  for (const auto& zone : zones) {
+    if (zone.settings.tie) // nothing ever hits there
+      continue;
+    auto& of_zone = surfaces.bodies_of_zone.emplace_back();
+    for (const auto node : zone.slave.nodes) {
+      const int body = bodies.of(node), number = dofs.dof(node, 0) / dofs.components;
+      of_zone.insert(body);
+      if (std::exchange(surfaces.on_surface[at(number)], 1) == 0)
+        surfaces.of_body[at(body)].push_back(number);
+    }
+  }
+  return surfaces;
+}
+
+/// Bodies whose inertia moves nothing: supports hold all their nodes but those on the surface, or they have
+/// no mass.
+std::vector<char> held_bodies(const domain::DofMap& dofs, const constraint::Reduction& reduction,
+                              const Bodies& bodies, const Surfaces& surfaces, const SparseMatrix& mass) {
+  const auto count = at(bodies.count());
+  std::vector<char> has_mass(count, 0), is_held(count, 0), is_free(count, 0);
+  for (std::size_t i = 0; i < dofs.nodes.size(); ++i) {
+    const int body = bodies.of(dofs.nodes[i]);
+    if (body < 0)
+      continue;
+    for (int c = 0; c < dofs.components; ++c) {
+      const int dof = dofs.dof(dofs.nodes[i], c);
+      if (mass.coeff(dof, dof) > 0)
+        has_mass[at(body)] = 1;
+      if (surfaces.on_surface[i] == 0)
+        (reduction.is_prescribed(dof) ? is_held : is_free)[at(body)] = 1;
+    }
+  }
+  std::vector<char> held(count);
+  for (std::size_t b = 0; b < count; ++b)
+    held[b] = has_mass[b] == 0 || (is_held[b] != 0 && is_free[b] == 0) ? 1 : 0;
+  return held;
+}
+
+/// A zone keeps the mass of its whole slave or of nothing.
+void spread_over_zones(const Surfaces& surfaces, std::vector<char>& keeps) {
+  const auto keeps_mass = [&](int body) { return keeps[at(body)] != 0; };
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const auto& bodies : surfaces.bodies_of_zone)
+      if (std::ranges::any_of(bodies, keeps_mass) && !std::ranges::all_of(bodies, keeps_mass)) {
+        for (const int body : bodies)
+          keeps[at(body)] = 1;
+        changed = true;
+      }
+  }
+}
+
+/// P, the identity where a node has no weights of its own.
+SparseMatrix matrix_of(const std::map<int, Weights>& weights, const domain::DofMap& dofs) {
+  const int components = dofs.components;
+  std::vector<Eigen::Triplet<double, int>> entries;
+  for (int node = 0; node < static_cast<int>(dofs.nodes.size()); ++node) {
+    const auto found = weights.find(node);
+    for (int row = 0; row < components; ++row)
+      if (found == weights.end())
+        entries.emplace_back(node * components + row, node * components + row, 1);
+      else
+        for (const auto& weight : found->second)
+          for (int column = 0; column < components; ++column)
+            if (weight.value(row, column) != 0)
+              entries.emplace_back(node * components + row, weight.node * components + column,
+                                   weight.value(row, column));
+  }
+  SparseMatrix matrix(dofs.dof_count, dofs.dof_count);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+std::string note_on(const mesh::Mesh& mesh, mesh::NodeIndex node) {
+  return fmt::format(
+      "contact_mass: the body around {} has no nodes beside its contact surface that could carry "
+      "the mass; the surface keeps it, and contact forces may oscillate from step to step; expected "
+      "more cells, or this side as the master",
+      node_label(mesh, node));
 }
 
 } // namespace
 
-VectorXd mass_factors(const mesh::Mesh& mesh, const domain::Bulk& bulk, const domain::DofMap& dofs,
-                      std::span<const mesh::NodeIndex> massless, const SparseMatrix& mass) {
-  VectorXd all = VectorXd::Ones(static_cast<Index>(dofs.nodes.size()));
+MasslessSurfaces massless_surfaces(const mesh::Mesh& mesh, const domain::Bulk& bulk,
+                                   const domain::DofMap& dofs, const constraint::Reduction& reduction,
+                                   std::span<const contact::Zone> zones, const SparseMatrix& mass) {
   const Bodies bodies(mesh, bulk);
-  std::vector<char> is_massless(dofs.nodes.size(), 0);
-  std::vector<std::vector<int>> nodes_of(static_cast<std::size_t>(bodies.count()));
-  std::vector<char> loses(nodes_of.size(), 0);
-  for (const auto node : massless) {
-    is_massless[static_cast<std::size_t>(dofs.dof(node, 0) / dofs.components)] = 1;
-    loses[static_cast<std::size_t>(bodies.of(node))] = 1;
-  }
-  for (std::size_t i = 0; i < dofs.nodes.size(); ++i)
-    if (const int body = bodies.of(dofs.nodes[i]); body >= 0)
-      nodes_of[static_cast<std::size_t>(body)].push_back(static_cast<int>(i));
-  for (std::size_t b = 0; b < nodes_of.size(); ++b) {
-    if (loses[b] == 0)
-      continue;
-    const auto body = take_body(mesh, dofs, mass, std::move(nodes_of[b]), is_massless);
-    const std::span entries(body.before.valuePtr(), static_cast<std::size_t>(body.before.nonZeros()));
-    if (!(std::accumulate(entries.begin(), entries.end(), 0.0) > 0))
-      continue; // held whole, of density 0
-    // Thin bodies have no places for moments of their depth: they keep their mass alone.
-    auto factors = factors_of(body, mesh.dimension + 1);
-    if (!factors)
-      factors = factors_of(body, 1);
-    if (!factors)
-      throw InputError(
-          fmt::format("contact_mass: the body around {} has no nodes but on its contact surface, nothing "
-                      "could carry their mass; expected more cells or consistent",
-                      node_label(mesh, bodies.first_node(static_cast<int>(b)))));
-    for (std::size_t i = 0; i < body.nodes.size(); ++i) {
-      const int node = body.nodes[i];
-      all[node] = is_massless[static_cast<std::size_t>(node)] != 0 ? 0 : (*factors)[static_cast<Index>(i)];
+  const auto surfaces = surfaces_of(zones, dofs, bodies);
+  const auto held = held_bodies(dofs, reduction, bodies, surfaces, mass);
+  const Surroundings around(mesh, dofs, mass, surfaces.on_surface);
+  MasslessSurfaces found;
+  std::vector<char> keeps(held.size(), 0);
+  std::map<int, Weights> weights;
+  for (std::size_t b = 0; b < held.size(); ++b)
+    for (const int node : surfaces.of_body[b]) {
+      auto of_node = held[b] != 0 ? std::optional(nearest_of(around, node)) : extrapolated(around, node);
+      if (!of_node) {
+        keeps[b] = 1;
+        found.notes.push_back(note_on(mesh, dofs.nodes[at(node)]));
+        break;
+      }
+      weights.emplace(node, std::move(*of_node));
     }
+  spread_over_zones(surfaces, keeps);
+  for (auto entry = weights.begin(); entry != weights.end();) {
+    const auto node = dofs.nodes[at(entry->first)];
+    if (keeps[at(bodies.of(node))] != 0) {
+      entry = weights.erase(entry);
+      continue;
+    }
+    found.nodes.push_back(node);
+    ++entry;
   }
-  return all;
+  std::ranges::sort(found.nodes);
+  found.extrapolation = matrix_of(weights, dofs);
+  return found;
 }
 
-void scale_mass(const VectorXd& factors, int components, SparseMatrix& mass) {
-  for (int column = 0; column < mass.outerSize(); ++column)
-    for (SparseMatrix::InnerIterator entry(mass, column); entry; ++entry)
-      entry.valueRef() *= factors[column / components] * factors[entry.row() / components];
+void take_mass_off(const SparseMatrix& extrapolation, SparseMatrix& mass) {
+  mass = SparseMatrix(extrapolation.transpose() * mass * extrapolation);
 }
 
 } // namespace rubato::model

@@ -16,6 +16,7 @@
 #include "rubato/study/damping.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -29,15 +30,14 @@ using Eigen::VectorXd;
 
 /// One side without mass is enough for pressures to be continuous: the slave's.
 void free_contact_of_mass(Model& model) {
-  auto& nodes = model.massless_nodes;
-  for (const auto& zone : model.zones)
-    if (!zone.settings.tie) // nothing ever hits there
-      nodes.insert(nodes.end(), zone.slave.nodes.begin(), zone.slave.nodes.end());
-  std::ranges::sort(nodes);
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  const auto factors =
-      mass_factors(model.mesh, model.bulk, model.dofs, nodes, linalg::whole_of(model.mass, model.sharing()));
-  scale_mass(factors, model.dofs.components, model.mass);
+  auto surfaces = massless_surfaces(model.mesh, model.bulk, model.dofs, model.reduction, model.zones,
+                                    linalg::whole_of(model.mass, model.sharing()));
+  std::ranges::move(surfaces.notes, std::back_inserter(model.notes));
+  model.massless_nodes = std::move(surfaces.nodes);
+  if (model.massless_nodes.empty())
+    return;
+  take_mass_off(surfaces.extrapolation, model.mass);
+  model.products.extrapolate(std::move(surfaces.extrapolation));
 }
 
 /// Without a copy, which Eigen makes on assignment.
@@ -122,7 +122,6 @@ void add_point_masses(Model& model) {
 
 /// Explicit runs take no relations, and so no references.
 void add_masses_of_references(Model& model) {
-  model.products = Products(model.mass, model.dofs.components, attached_masses(model), model.sharing());
   if (model.sharing().is_first())
     add_reference_masses(model, model.mass);
 }
@@ -156,9 +155,10 @@ void assemble_implicit(Model& model) {
   if (model.study.time.scheme == study::SchemeKind::static_steps)
     return;
   take(model.mass, domain::assemble_mass(model.mesh, bulk, pattern));
+  add_point_masses(model);
+  model.products = Products(model.mass, model.dofs.components, attached_masses(model), model.sharing());
   if (model.study.time.contact_mass == study::ContactMass::redistributed)
     free_contact_of_mass(model);
-  add_point_masses(model);
   add_masses_of_references(model);
   const auto rayleigh = rayleigh_of(model.study.materials);
   if (!Rayleigh::any(rayleigh.stiffness) && !Rayleigh::any(rayleigh.mass))

@@ -2,6 +2,7 @@
 #include "rubato/model/products.hpp"
 
 #include "rubato/linalg/ranked_matrix.hpp"
+#include "rubato/linalg/sparse_products.hpp"
 
 #include <utility>
 
@@ -14,9 +15,17 @@ Products::Products(const Eigen::SparseMatrix<double, Eigen::ColMajor, int>& mass
     mass_.emplace(mass, components);
 }
 
+void Products::extrapolate(Eigen::SparseMatrix<double, Eigen::ColMajor, int> extrapolation) {
+  extrapolation_ = std::move(extrapolation);
+}
+
 Eigen::VectorXd Products::mass(const Eigen::VectorXd& a) const {
-  auto product =
-      linalg::summed(mass_ ? Eigen::VectorXd(*mass_ * a) : Eigen::VectorXd::Zero(a.size()), ranks_);
+  Eigen::VectorXd own = Eigen::VectorXd::Zero(a.size());
+  if (mass_)
+    own = extrapolation_
+              ? linalg::transposed_product(*extrapolation_, *mass_ * linalg::product(*extrapolation_, a))
+              : *mass_ * a;
+  auto product = linalg::summed(std::move(own), ranks_);
   for (const auto& [dofs, coefficients, mass] : attached_) {
     double sum = 0;
     for (std::size_t i = 0; i < dofs.size(); ++i)

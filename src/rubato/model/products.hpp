@@ -26,11 +26,15 @@ public:
   Products(const Eigen::SparseMatrix<double, Eigen::ColMajor, int>& mass, int components,
            std::vector<AttachedMass> attached = {}, Ranks ranks = {});
 
+  /// From now on the mass is Pᵀ M P.
+  void extrapolate(Eigen::SparseMatrix<double, Eigen::ColMajor, int> extrapolation);
+
   /// M a [force], or M v; zero in static runs.
   Eigen::VectorXd mass(const Eigen::VectorXd& a) const;
 
 private:
   std::optional<linalg::NodalMatrix> mass_;
+  std::optional<Eigen::SparseMatrix<double, Eigen::ColMajor, int>> extrapolation_; ///< P
   std::vector<AttachedMass> attached_;
   Ranks ranks_;
 };
