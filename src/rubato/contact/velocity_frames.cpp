@@ -59,6 +59,13 @@ void count_from(const Vector3d& relative, double normal, const Moving& moving, c
     k.slip_origin[a] = law.step * (1 - law.theta) * dot(column_of(k.tangents, a), relative);
 }
 
+/// A point without mass that is open does not reach beyond the surface at the end of the step either: it has
+/// no velocity of its own that would tell whether it closes.
+void count_gap(const Moving& moving, PointEvaluation& point) {
+  point.kinematics = with_frozen_frame(std::move(*point.kinematics));
+  carry(*point.kinematics, moving);
+}
+
 } // namespace
 
 std::vector<PointEvaluation> velocity_frames(Discretisation& discretisation, const Configuration& start,
@@ -86,7 +93,10 @@ std::vector<PointEvaluation> velocity_frames(Discretisation& discretisation, con
     if (!stands)
       standing[i] = arrives ? k.gap : 0.0;
     if (!stands && !arrives) {
-      points[i].kinematics.reset();
+      if (law.massless)
+        count_gap(moving, points[i]);
+      else
+        points[i].kinematics.reset();
       continue;
     }
     points[i].kinematics = with_frozen_frame(std::move(*points[i].kinematics));

@@ -88,20 +88,30 @@ struct Apart : Approaching {
   const double gap = 1e-3;
   std::vector<double> standing = std::vector<double>(walk.model.zones[0].points.size());
 
-  std::vector<contact::PointEvaluation> frames(double step) {
+  std::vector<contact::PointEvaluation> frames(double step, bool massless = false) {
     const auto& model = walk.model;
     VectorXd apart = VectorXd::Zero(velocity.size());
     for (const auto node : model.zones[0].slave.nodes)
       apart[model.dofs.dof(node, 1)] = -gap;
     auto discretisation = contact::make_discretisation(model.zones[0]);
     return contact::velocity_frames(discretisation, {&model.mesh, &model.dofs, &apart, &apart}, velocity,
-                                    {step, theta, true}, standing);
+                                    {step, theta, massless}, standing);
   }
 };
 
 TEST_F(Apart, PointsThatDoNotArriveInTheFirstHalfOfTheStepAreOpen) {
   for (const auto& point : frames(0.99e-3))
     EXPECT_FALSE(point.kinematics.has_value());
+}
+
+/// They count their gap, and are no farther than the surface at the end of the step.
+TEST_F(Apart, PointsWithoutMassThatDoNotArriveMayStillClose) {
+  for (const auto& point : frames(0.99e-3, true)) {
+    ASSERT_TRUE(point.kinematics.has_value());
+    EXPECT_EQ(point.kinematics->gap_origin, 0);
+    EXPECT_NEAR(point.kinematics->gap, gap, 1e-15);
+  }
+  EXPECT_EQ(standing[5], 0);
 }
 
 TEST_F(Apart, PointsThatArriveInTheFirstHalfStandWhereTheyAre) {
@@ -137,7 +147,7 @@ TEST(MasslessSurfaces, ComeByTheMeanVelocityOfTheLastStepWhateverTheLengthOfTheN
     auto system = make_effective_system(model, walk.scheme, next);
     const ContactEvaluator side(model, walk.scheme, system, state, {});
     const auto points = side.at(state, Frozen(1)).points[0];
-    return std::ranges::count_if(points, [](const auto& point) { return point.kinematics.has_value(); });
+    return std::ranges::count_if(points, [](const auto& point) { return point.variables.gap < 1e-12; });
   };
   EXPECT_GT(arriving(last), 0);
   EXPECT_EQ(arriving(next), 0) << "the same change of velocity in half the time: half the mean";
@@ -179,9 +189,12 @@ TEST(MoreauJean, NeverGainsFromPressures) {
   EXPECT_NEAR(course.end.numerical, 0, 1e-9 * course.largest);
 }
 
-TEST(MoreauJean, LosesNothingButFrictionOnSurfacesWithoutMass) {
+/// A pressure that closes a gap takes energy: less than impacts take where the surface has mass, and none is
+/// given.
+TEST(MoreauJean, LosesLittleButFrictionOnSurfacesWithoutMass) {
   const auto course = course_of(with(rubbing, {{"time.contact_mass", "redistributed"}}));
-  EXPECT_NEAR(course.end.impact, 0, 1e-10 * course.largest);
+  EXPECT_LT(course.end.impact, 2e-3 * course.largest);
+  EXPECT_GE(course.least_impact, -1e-12 * course.largest);
   EXPECT_NEAR(course.end.numerical, 0, 1e-9 * course.largest);
   EXPECT_GE(course.least_friction, -1e-12 * course.largest);
   EXPECT_GT(course.end.friction, 0.01 * course.largest);

@@ -66,6 +66,13 @@ VectorXd mean_velocity(const State& state, const contact::VelocityLaw& law) {
   return state.motion.v - (1 - law.theta) * state.step * state.motion.a;
 }
 
+/// A zone has no mass on its whole slave or keeps all of it. Ties, whose points never hit, go with the
+/// others.
+bool is_massless(const Model& model, const contact::Zone& zone) {
+  const auto& nodes = model.massless_nodes;
+  return !nodes.empty() && (zone.settings.tie || std::ranges::binary_search(nodes, zone.slave.nodes.front()));
+}
+
 /// Where points that are closed stand; others have to close their gaps first.
 std::vector<double> activation_gaps(const contact::ZoneState& zone) {
   std::vector<double> gaps(zone.status.size(), 0.0);
@@ -124,9 +131,11 @@ ContactEvaluator::ContactEvaluator(const Model& model, const time::Scheme& schem
     return;
   const contact::Configuration start{&model.mesh,         &model.dofs, &committed.motion.u,
                                      &committed.motion.u, committed.t, committed.t};
-  const contact::VelocityLaw law{system.step, scheme.beta, !model.massless_nodes.empty()};
-  const VectorXd velocity = law.massless ? mean_velocity(committed, law) : committed.motion.v;
+  contact::VelocityLaw law{system.step, scheme.beta, false};
+  const VectorXd mean = model.massless_nodes.empty() ? VectorXd() : mean_velocity(committed, law);
   for (std::size_t z = 0; z < system.discretisations.size(); ++z) {
+    law.massless = is_massless(model, model.zones[z]);
+    const auto& velocity = law.massless ? mean : committed.motion.v;
     activation_gaps_.push_back(activation_gaps(committed.zones[z]));
     frames_.push_back(contact::velocity_frames(system.discretisations[z], start, velocity, law,
                                                activation_gaps_.back(), touched_[z]));
