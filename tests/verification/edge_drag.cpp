@@ -17,12 +17,21 @@ namespace rubato::verification {
 namespace {
 
 constexpr double block_length = 6, block_height = 2; ///< of the block
-constexpr double drag_way = 6;                       ///< twelve faces of the rail
 constexpr double drag_begins = 1;                    ///< instant at which the drag begins
-constexpr int drag_steps = 96;
+constexpr double rail_face = 0.5;
+constexpr int steps_of_face = 8;
 
 bool is_solid(CellType cells) {
   return cell::topology(cells).dimension == 3;
+}
+
+/// Of the drag, in faces of the rail. Over each of them the drag repeats itself.
+int drag_faces(CellType cells) {
+  return is_solid(cells) && cell::topology(cells).order == 2 ? 4 : 12;
+}
+
+double drag_step(CellType cells) {
+  return drag_begins / (steps_of_face * drag_faces(cells));
 }
 
 std::string bodies_of(CellType cells) {
@@ -49,10 +58,10 @@ contact: {{rub: {{slave: {}, master: {}, friction: {}}}}}
 time: {{scheme: static, step: {}, end: {}}}
 )",
                      bodies_of(how.cells), is_solid(how.cells) ? "solid" : "plane_strain", drag_begins,
-                     drag_begins, 2 * drag_begins, is_solid(how.cells) ? ", z" : "", drag_way,
-                     is_solid(how.cells) ? ", z: 0" : "", how.rail_is_slave ? "above" : "sole",
-                     how.rail_is_slave ? "sole" : "above", how.friction, drag_begins / drag_steps,
-                     2 * drag_begins);
+                     drag_begins, 2 * drag_begins, is_solid(how.cells) ? ", z" : "",
+                     rail_face * drag_faces(how.cells), is_solid(how.cells) ? ", z: 0" : "",
+                     how.rail_is_slave ? "above" : "sole", how.rail_is_slave ? "sole" : "above", how.friction,
+                     drag_step(how.cells), 2 * drag_begins);
 }
 
 /// How far the sole of the profile is above that of the block.
@@ -97,7 +106,7 @@ EdgeDragged drag_edge(const EdgeDrag& how) {
       return result;
     }
     const auto& energy = walk.simulation.energy();
-    if (walk.state().t < drag_begins + 0.5 / drag_steps) {
+    if (walk.state().t < drag_begins + 0.5 * drag_step(how.cells)) {
       before = energy.impact;
       attempts = walk.reports.size();
       continue;
@@ -110,7 +119,7 @@ EdgeDragged drag_edge(const EdgeDrag& how) {
   }
   for (auto i = attempts; i < walk.reports.size(); ++i)
     result.iterations += walk.reports[i].iterations;
-  result.iterations /= drag_steps;
+  result.iterations /= steps_of_face * drag_faces(how.cells);
   result.drag = along / normal;
   result.impact /= strain;
   return result;

@@ -25,8 +25,9 @@ struct VelocityLaw {
 ///   gap = h θ (v₁·n − e ⟨−v₀·n⟩),   slip_a = h θ v₁·τ_a;
 /// where v₀ parts the surfaces, or where they have no mass, gap = Δu·n: then pressures do no work in the
 /// step, and without mass slip_a = Δu·τ_a: friction takes energy in every step. A point without mass that is
-/// open may close in the step: gap = g₀ + Δu·n. Other open points have no kinematics. `velocity`: one a dof; an obstacle has its mean velocity of the step, at the start and at the
-/// end; one that rotates that of the place where the point goes with its velocity.
+/// open may close in the step: gap = g₀ + Δu·n. Other open points have no kinematics. `velocity`: one a dof;
+/// an obstacle has its mean velocity of the step, at the start and at the end; one that rotates that of the
+/// place where the point goes with its velocity.
 /// Points touch that are not beyond the gap they stand at (`standing`, 0 or where they closed before; one a
 /// point), and those whose velocity closes their gap in the first half of the step. The latter stand where
 /// they are: what is left open is written to `standing`. Points of a tie, and those that have `touched` in a

@@ -28,7 +28,9 @@ constexpr double tolerance = 1e-9;
 /// Of motions against forces, in parts of how far a unit force moves its own point. It decides which points
 /// press and stick on the way, not the answer: with the compliance of a point's surface alone, gaps that are
 /// traces of a rigid motion would let points go that press.
-constexpr double augmentation = 10;
+constexpr double usual_augmentation = 10;
+/// Where the iterates come back to one another with the usual one.
+constexpr double other_augmentation = 1;
 
 /// Of a point with two or three components: a column each.
 using PointMatrix = std::array<std::array<double, 3>, 3>;
@@ -36,8 +38,9 @@ using PointMatrix = std::array<std::array<double, 3>, 3>;
 /// Newton's method on F = projection of F − augmentation w, friction's limit following the pressing force.
 class Iteration {
 public:
-  Iteration(const FrictionCones& cones, VectorXd forces)
-      : cones_(cones), forces_(std::move(forces)), size_(forces_.size() / cones.friction.size()),
+  Iteration(const FrictionCones& cones, double augmentation, VectorXd forces)
+      : cones_(cones), augmentation_(augmentation), forces_(std::move(forces)),
+        size_(forces_.size() / cones.friction.size()),
         slopes_(static_cast<std::size_t>(cones.friction.size())) {}
 
   bool run(Progress& progress) {
@@ -152,7 +155,7 @@ private:
   void subtract_projection(Index k, const VectorXd& f) {
     const Index n = k * size_;
     const auto size = static_cast<std::size_t>(size_);
-    const double by = augmentation / cones_.matrix(n, n);
+    const double by = augmentation_ / cones_.matrix(n, n);
     const double pressing = f[n] - by * motion_[n];
     auto& slope = slopes_[static_cast<std::size_t>(k)];
     slope.pressed = pressing > 0;
@@ -195,6 +198,7 @@ private:
   const Slope& slope_of(Index k) const { return slopes_[static_cast<std::size_t>(k)]; }
 
   const FrictionCones& cones_;
+  double augmentation_;
   VectorXd forces_;
   Index size_; ///< unknowns of a point
   VectorXd motion_, left_;
@@ -205,10 +209,10 @@ private:
 
 std::optional<VectorXd> solve_friction(const FrictionCones& cones, const VectorXd& start,
                                        Progress& progress) {
-  Iteration near(cones, start);
+  Iteration near(cones, usual_augmentation, start);
   if (near.run(progress))
     return near.forces();
-  Iteration sticking(cones, linalg::solve_positive_definite(cones.matrix, -cones.values));
+  Iteration sticking(cones, other_augmentation, linalg::solve_positive_definite(cones.matrix, -cones.values));
   if (sticking.run(progress))
     return sticking.forces();
   return std::nullopt;
