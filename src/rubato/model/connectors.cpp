@@ -69,6 +69,21 @@ private:
                       connector.on, connector.to)));
     add(connector, ends.front(), &others.front(),
         connector.along ? direction_of(*connector.along) : contact::unit_of(way));
+    if (!connector.along)
+      connectors_.back().way = way_between(connector, ends.front(), others.front());
+  }
+
+  ConnectorWay way_between(const study::Connector& connector, const End& on, const End& to) const {
+    ConnectorWay way{connector.on, connector.to, contact::difference_of(to.place, on.place), {}};
+    const auto add_end = [&](const End& end, double sign) {
+      for (std::size_t d = 0; d < end.dofs.size(); ++d)
+        for (int i = 0; i < dofs_.components; ++i)
+          way.moved[static_cast<std::size_t>(i)].push_back(
+              {end.dofs[d], sign * end.motion(i, static_cast<Index>(d))});
+    };
+    add_end(on, -1);
+    add_end(to, 1);
+    return way;
   }
 
   /// A mass along each direction, its moments of inertia about each axis that things turn about.

@@ -6,7 +6,9 @@
 #include "rubato/core/linear_table.hpp"
 #include "rubato/mesh/mesh.hpp"
 
+#include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace rubato::model {
@@ -18,6 +20,13 @@ struct Spring {
   bool soft = false;    ///< too soft to say where a body in contact is (model/soft_springs.hpp)
 };
 
+/// The way between the two ends of a connector that acts along it.
+struct ConnectorWay {
+  std::string on, to;                                   ///< as the study calls the ends
+  Eigen::Vector3d undeformed = Eigen::Vector3d::Zero(); ///< from one to the other
+  std::array<std::vector<constraint::Term>, 3> moved;   ///< by direction, of the other against the one
+};
+
 /// A spring, a dashpot and a mass side by side on the displacement Σ row · u. Where tables give forces, the
 /// numbers are their steepest slopes, which matrices have.
 struct Connector {
@@ -27,6 +36,7 @@ struct Connector {
   double mass = 0;      ///< [mass]
   std::optional<LinearTable> force = {};
   std::optional<LinearTable> damper = {};
+  std::optional<ConnectorWay> way = {}; ///< whose undeformed direction `row` has
 };
 
 struct PointMass {

@@ -12,6 +12,7 @@
 #include "rubato/run/overlap_watch.hpp"
 #include "rubato/run/recall_watch.hpp"
 #include "rubato/run/run_study.hpp"
+#include "rubato/run/strain_watch.hpp"
 #include "rubato/run/turn_watch.hpp"
 #include "rubato/simulation/time_integration.hpp"
 #include "rubato/step/told_state.hpp"
@@ -70,7 +71,7 @@ public:
                             .tell_memory = [this](std::size_t bytes) { tell_memory(bytes); }}),
         keeper_(model.study, course, watch_),
         energy_(model.study.name, watch_, course.from ? course.from->record : step::EnergyRecord()),
-        overlaps_(model, watch_), recall_(model, watch_), turns_(model, watch_) {
+        overlaps_(model, watch_), recall_(model, watch_), turns_(model, watch_), strains_(model, watch_) {
     if (!course.from)
       return;
     records_ = course.from->recorder.steps;
@@ -160,6 +161,7 @@ private:
     ranks().first_does([&] {
       recorder_->step(step.before, *now, step.attempt, step.report, step.last);
       recorder_->energy(step.now.t, step.energy);
+      strains_.note((*now).t, (*now).motion.u);
     });
     overlaps_.note(step.before, step.now);
     recall_.note(step.before, step.now);
@@ -389,6 +391,7 @@ private:
   OverlapWatch overlaps_;
   RecallWatch recall_;
   TurnWatch turns_;
+  StrainWatch strains_;
   int records_ = 0; ///< so far: steps of results
   double loop_start_ = 0;
   double former_loop_seconds_ = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/run/turn_watch.hpp"
 
+#include "rubato/contact/small_vectors.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/model/rotations.hpp"
 #include "rubato/study/formulation.hpp"
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -48,15 +50,46 @@ std::string_view remedy_for(const study::Study& study) {
                "bodies alike, and 'supports: rotate' or a stiff meshed body in the relation's place";
 }
 
+double turn_of(const model::ConnectorWay& way, const step::State& state) {
+  Eigen::Vector3d now = way.undeformed;
+  for (std::size_t i = 0; i < way.moved.size(); ++i)
+    for (const auto& term : way.moved[i])
+      now[static_cast<Eigen::Index>(i)] += term.coefficient * state.motion.u[term.dof];
+  return std::atan2(contact::length_of(contact::cross(way.undeformed, now)),
+                    contact::dot(way.undeformed, now));
+}
+
 } // namespace
 
 TurnWatch::TurnWatch(const model::Model& model, const Watch& watch) : model_(model), watch_(watch) {
+  for (const auto& connector : model.connectors)
+    if (connector.way)
+      ways_.push_back(&*connector.way);
   for (const auto& reference : model.references)
     if (reference.turns && is_bound(model.study, reference))
       watched_.push_back(&reference);
 }
 
 void TurnWatch::note(const step::State& now) {
+  note_relations(now);
+  note_connectors(now);
+}
+
+void TurnWatch::note_connectors(const step::State& now) {
+  std::erase_if(ways_, [&](const model::ConnectorWay* way) {
+    const double turn = turn_of(*way, now);
+    if (!(turn > model::largest_small_angle))
+      return false;
+    watch_.warn(
+        fmt::format("{}: at t = {:g} the connector between '{}' and '{}' has turned by {:.3g} radians, "
+                    "more than {}: its force keeps the direction that it had undeformed; expected a "
+                    "meshed bar of a material with strain: green_lagrange in its place",
+                    model_.study.name, now.t, way->on, way->to, turn, model::largest_small_angle));
+    return true;
+  });
+}
+
+void TurnWatch::note_relations(const step::State& now) {
   std::erase_if(watched_, [&](const model::Reference* reference) {
     const double turn = turn_of(*reference, now, model_.dofs.components);
     if (!(turn > model::largest_small_angle))

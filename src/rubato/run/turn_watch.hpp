@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Says when groups of relations turn too far.
+/// Says when groups of relations, and connectors, turn too far.
 #pragma once
 
 #include "rubato/model/fwd.hpp"
 #include "rubato/model/references.hpp"
+#include "rubato/model/springs.hpp"
 #include "rubato/run/watch.hpp"
 #include "rubato/step/state.hpp"
 
@@ -13,7 +14,8 @@ namespace rubato::run {
 
 /// Rigid relations are linear, u = t + θ × r: a group that turns by θ becomes longer by θ²/2 across the axis.
 /// The forces and supports of a distributed reference are shared out by the undeformed shape in the same way.
-/// Said once of each relation.
+/// A connector along the way between its ends keeps the undeformed direction.
+/// Said once of each relation and connector.
 class TurnWatch {
 public:
   /// Everything must outlive this.
@@ -22,9 +24,13 @@ public:
   void note(const step::State& now);
 
 private:
+  void note_relations(const step::State& now);
+  void note_connectors(const step::State& now);
+
   const model::Model& model_;
   const Watch& watch_;
   std::vector<const model::Reference*> watched_;
+  std::vector<const model::ConnectorWay*> ways_;
 };
 
 } // namespace rubato::run

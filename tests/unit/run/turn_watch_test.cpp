@@ -2,6 +2,7 @@
 // Groups of rigid and distributed relations that turn too far for linear equations are told, once each.
 #include "rubato/run/turn_watch.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support/walk.hpp"
@@ -73,6 +74,39 @@ TEST(Turns, OfADistributedGroupAreToldWhereItsReferenceCounts) {
   EXPECT_TRUE(warnings_of("distributed", "", "green_lagrange",
                           "loads: [{surface_force: {on: right, y: -1, function: f}}]")
                   .empty());
+}
+
+/// A connector of length 10 between two blocks, one of which is moved aside.
+std::vector<std::string> warnings_of_a_connector(const std::string& connector, double aside) {
+  test::Walk walk(fmt::format(R"(
+mesh: {{generate: [{{name: bob, rectangle: {{from: [0, 0], to: [1, 1]}}, divisions: [1, 1], cells: quad4, sides: {{bottom: low}}, points: {{left_top: end}}}},
+  {{name: hook, rectangle: {{from: [0, 11], to: [1, 12]}}, divisions: [1, 1], cells: quad4, sides: {{top: high}}, points: {{left_bottom: eye}}}}]}}
+physics: plane_stress
+materials: {{steel: {{young: 1000, poisson: 0.3}}}}
+supports: [{{on: high, fix: [x, y]}}, {{on: low, y: 0, x: {{value: {}, function: f}}}}]
+connectors: [{{on: end, to: eye, stiffness: 1{}}}]
+functions: {{f: {{times: [0, 1], values: [0, 1]}}}}
+time: {{scheme: static, end: 1, step: 0.25}}
+)",
+                              aside, connector));
+  std::vector<std::string> warned;
+  Watch watch;
+  watch.warn = [&](const std::string& text) { warned.push_back(text); };
+  TurnWatch turns(walk.model, watch);
+  walk.accepted = [&] { turns.note(walk.state()); };
+  EXPECT_TRUE(walk.to_end());
+  return warned;
+}
+
+TEST(Turns, OfAConnectorAlongTheWayBetweenItsEndsAreToldOnce) {
+  for (const double aside : {0.3, -0.45, 0.49})
+    EXPECT_TRUE(warnings_of_a_connector("", aside).empty()) << aside;
+  for (const double aside : {0.55, -0.8, 4.})
+    EXPECT_EQ(warnings_of_a_connector("", aside).size(), 1U) << aside;
+  EXPECT_NE(warnings_of_a_connector("", 0.6).at(0).find(
+                "the connector between 'end' and 'eye' has turned by 0.0599 radians, more than 0.05"),
+            std::string::npos);
+  EXPECT_TRUE(warnings_of_a_connector(", along: [0, 1]", 4).empty()) << "a direction of its own is meant";
 }
 
 } // namespace
