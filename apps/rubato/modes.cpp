@@ -85,6 +85,8 @@ int show_modes(const study::Study& study, const rubato::modes::ModeRequest& requ
              folder.string());
   for (const auto& note : modes.notes)
     fmt::print("{}\n", note);
+  for (const auto& warning : modes.warnings)
+    fmt::print(stderr, "warning: {}: {}\n", study.name, warning);
   print_table(modes);
   if (modes.converged)
     return done;

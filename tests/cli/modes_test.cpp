@@ -54,6 +54,23 @@ TEST_F(ModesCommand, ClosesContact) {
   EXPECT_GT(frequencies("stuck/run")[0], 1.2 * frequencies("open/run")[0]);
 }
 
+TEST_F(ModesCommand, WarnsOfFrictionThatIsLeftOut) {
+  const auto said = [&](const char* friction, const char* contact) {
+    const auto outcome =
+        modes(test::two_blocks,
+              {"--set", std::string("contact.interface.friction=") + friction, "--contact", contact});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_NE(said("0.2", "sliding")
+                .find("warning: run: contact.interface: points slide without friction; with the "
+                      "friction of the study motions may grow by themselves (squeal)"),
+            std::string::npos);
+  EXPECT_EQ(said("0.2", "stuck"), "");
+  EXPECT_EQ(said("0.2", "open"), "");
+  EXPECT_EQ(said("0", "sliding"), "");
+}
+
 TEST_F(ModesCommand, TakesTheFirstRunOrThoseOfOnly) {
   const auto deck = test::two_blocks + "runs:\n  a: {}\n  soft: {materials: {steel: {young: 50e9}}}\n";
   ASSERT_EQ(modes(deck).exit_code, 0);

@@ -187,6 +187,15 @@ MatrixXd CellTensors::nonlinear_at_points(Tensor what, const Behaviour& behaviou
   return at_each_point(result, block->type);
 }
 
+/// It grows from 0 and never falls, but the line through two points may fall below.
+MatrixXd CellTensors::cumulated_plastic_strain_at_nodes(std::size_t cell) {
+  MatrixXd values =
+      times_transposed(cumulated_plastic_strain(cell), extrapolation(mesh_.type_of(bulk_.cells[cell])));
+  for (Eigen::Index i = 0; i < values.size(); ++i)
+    values(i) = std::max(0.0, values(i));
+  return values;
+}
+
 MatrixXd CellTensors::cumulated_plastic_strain(std::size_t cell) {
   const auto type = mesh_.type_of(bulk_.cells[cell]);
   const auto* behaviour = bulk_.behaviour(cell);
@@ -268,7 +277,7 @@ Eigen::VectorXd nodal_plastic_strain(const mesh::Mesh& mesh, const Bulk& bulk, c
                                      const Threads& threads) {
   const CellTensors tensors(mesh, bulk, dofs, u, heat, states);
   const auto of_cell = [&](CellTensors& own, std::size_t i) -> MatrixXd {
-    return times_transposed(own.cumulated_plastic_strain(i), extrapolation(mesh.type_of(bulk.cells[i])));
+    return own.cumulated_plastic_strain_at_nodes(i);
   };
   return averaged(mesh, bulk, dofs, tensors, threads, 1, of_cell).transpose();
 }

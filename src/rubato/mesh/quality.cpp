@@ -88,6 +88,8 @@ TypeQuality examine_block(MeshReport& report, const Mesh& mesh, const CellBlock&
     }
     if (bulk && !(*jacobian > 0))
       record_cell(report.inverted_cells, mesh, first_cell + i);
+    else if (bulk && *jacobian < least_jacobian)
+      record_cell(report.flat_cells, mesh, first_cell + i);
   }
   return quality;
 }
@@ -208,8 +210,8 @@ void find_stray_cells(MeshReport& report, const Mesh& mesh, ConnectedNodes& conn
 } // namespace
 
 bool MeshReport::looks_right() const {
-  return lost_nodes.count + free_nodes.count + inverted_cells.count + duplicate_nodes.count +
-                 loose_cells.count + unowned_faces.count ==
+  return lost_nodes.count + free_nodes.count + inverted_cells.count + flat_cells.count +
+                 duplicate_nodes.count + loose_cells.count + unowned_faces.count ==
              0 &&
          empty_groups.empty() && has_bulk_cells;
 }

@@ -43,6 +43,10 @@ struct Findings {
   std::vector<std::string> first;
 };
 
+/// Scaled Jacobian below which a cell is nearly flat: its matrix maps what is linear badly, and stresses
+/// there are not to be trusted.
+inline constexpr double least_jacobian = 0.1;
+
 struct MeshReport {
   int dimension = 3;
   NodeIndex nodes = 0;
@@ -60,6 +64,7 @@ struct MeshReport {
   Findings lost_nodes;      ///< nodes with a coordinate that is not finite
   Findings free_nodes;      ///< nodes of no cell
   Findings inverted_cells;  ///< bulk cells whose Jacobian is not positive at some corner, reversed or not
+  Findings flat_cells;      ///< others whose scaled Jacobian is below least_jacobian
   Findings duplicate_nodes; ///< nodes at the place of another node of the same body (or of no body)
   Findings loose_cells;     ///< cells not connected to any bulk cell
   Findings unowned_faces;   ///< cells of one dimension less than space that are no side of a bulk cell

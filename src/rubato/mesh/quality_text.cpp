@@ -87,6 +87,8 @@ void write_faults(Out out, const MeshReport& report) {
     write_findings(out, "nodes with a coordinate that is not finite", report.lost_nodes);
     write_findings(out, "nodes of no cell", report.free_nodes);
     write_findings(out, "inverted or flat cells", report.inverted_cells);
+    write_findings(out, fmt::format("nearly flat cells (scaled Jacobian below {:g})", least_jacobian),
+                   report.flat_cells);
     write_findings(out, "nodes at the place of another node of their body", report.duplicate_nodes);
     write_findings(out, "cells connected to no body", report.loose_cells);
     write_findings(out, "faces that bound no bulk cell", report.unowned_faces);

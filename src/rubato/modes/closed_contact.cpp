@@ -56,6 +56,13 @@ public:
     first_ = columns_;
     notes_.push_back(fmt::format("contact.{}: {} of {} points {}", zone.settings.name, held, points.size(),
                                  zone.settings.tie ? "are tied" : "touch and are held together"));
+    if (held > 0 && zone.settings.friction > 0 && !holds_all(zone))
+      warnings_.push_back(fmt::format(
+          "contact.{}: points slide without friction; with the friction of the study motions may grow by "
+          "themselves (squeal), which these modes do not show, expected 'friction: 0', '--contact stuck' or "
+          "a "
+          "run in time",
+          zone.settings.name));
   }
 
   ClosedContact take() {
@@ -63,6 +70,7 @@ public:
     closed.relations.resize(model_.dofs.dof_count, columns_);
     closed.relations.setFromTriplets(entries_.begin(), entries_.end());
     closed.notes = std::move(notes_);
+    closed.warnings = std::move(warnings_);
     return closed;
   }
 
@@ -89,7 +97,7 @@ private:
   int first_ = 0;   ///< column of the zone's first relation
   int columns_ = 0; ///< so far
   std::vector<Eigen::Triplet<double>> entries_;
-  std::vector<std::string> notes_;
+  std::vector<std::string> notes_, warnings_;
 };
 
 } // namespace

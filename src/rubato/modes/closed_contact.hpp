@@ -15,8 +15,9 @@ namespace rubato::modes {
 enum class Contact { open, stuck, sliding };
 
 struct ClosedContact {
-  model::SparseMatrix relations;  ///< Cᵀ u = 0: a row for each dof, a column for each relation
-  std::vector<std::string> notes; ///< of each zone, how many of its points touch
+  model::SparseMatrix relations;     ///< Cᵀ u = 0: a row for each dof, a column for each relation
+  std::vector<std::string> notes;    ///< of each zone, how many of its points touch
+  std::vector<std::string> warnings; ///< of each zone whose friction is left out
 };
 
 /// Σ w_i u_i · d = 0 for the weights of each point that touches (contact/stencil.hpp) and the directions d

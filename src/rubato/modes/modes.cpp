@@ -97,6 +97,7 @@ Modes modes_of(const Model& model, const ModeRequest& request) {
   const auto found = find_modes(model, closed.relations, request.number);
   Modes modes;
   modes.notes = std::move(closed.notes);
+  modes.warnings = std::move(closed.warnings);
   if (!model.domain.is_linear())
     modes.notes.emplace_back(
         "bodies are nonlinear: these are small vibrations about their undeformed shape, with "

@@ -32,6 +32,7 @@ struct Modes {
   Eigen::VectorXd residuals; ///< relative, as linalg::EigenModes has them
   bool converged = false;    ///< likewise
   std::vector<std::string> notes;
+  std::vector<std::string> warnings; ///< where they are not those of the study
 };
 
 /// Of a model that modal_study's study gives: small vibrations about the undeformed bodies, K φ = ω² M φ,

@@ -73,7 +73,7 @@ MatrixXd CellQuantities::at_nodes(ProbeField what, std::size_t cell) {
   if (what == ProbeField::temperature)
     return temperatures_of(cell);
   if (what == ProbeField::cumulated_plastic_strain)
-    return tensors_.cumulated_plastic_strain(cell) * domain::extrapolation(type_of(cell)).transpose();
+    return tensors_.cumulated_plastic_strain_at_nodes(cell);
   return of_stresses(what, tensors_.at_nodes(tensor_of(what), cell));
 }
 

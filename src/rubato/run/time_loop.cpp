@@ -12,6 +12,7 @@
 #include "rubato/run/overlap_watch.hpp"
 #include "rubato/run/recall_watch.hpp"
 #include "rubato/run/run_study.hpp"
+#include "rubato/run/spring_watch.hpp"
 #include "rubato/run/strain_watch.hpp"
 #include "rubato/run/turn_watch.hpp"
 #include "rubato/simulation/time_integration.hpp"
@@ -71,7 +72,8 @@ public:
                             .tell_memory = [this](std::size_t bytes) { tell_memory(bytes); }}),
         keeper_(model.study, course, watch_),
         energy_(model.study.name, watch_, course.from ? course.from->record : step::EnergyRecord()),
-        overlaps_(model, watch_), recall_(model, watch_), turns_(model, watch_), strains_(model, watch_) {
+        overlaps_(model, watch_), recall_(model, watch_), turns_(model, watch_), strains_(model, watch_),
+        springs_(model, watch_) {
     if (!course.from)
       return;
     records_ = course.from->recorder.steps;
@@ -99,6 +101,7 @@ public:
       result_.kept = keep_checkpoint();
     take_counters();
     energy_.tell();
+    springs_.tell();
     result_.energy = energy_.record();
     result_.end = *step::ToldState(model_, simulation_.state());
     finish();
@@ -166,6 +169,7 @@ private:
     overlaps_.note(step.before, step.now);
     recall_.note(step.before, step.now);
     turns_.note(step.now);
+    springs_.note(step.now, step.energy);
   }
 
   /// A run that ends here is kept as it was before the attempt: resumed with other means, it makes it again.
@@ -392,6 +396,7 @@ private:
   RecallWatch recall_;
   TurnWatch turns_;
   StrainWatch strains_;
+  SpringWatch springs_;
   int records_ = 0; ///< so far: steps of results
   double loop_start_ = 0;
   double former_loop_seconds_ = 0;

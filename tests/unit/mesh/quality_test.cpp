@@ -133,6 +133,25 @@ TEST(MeshReport, FindsInvertedCellsAndTheWorstOne) {
   EXPECT_NE(to_text(report).find("1 inverted or flat cells: 4711"), std::string::npos) << to_text(report);
 }
 
+/// A corner is drawn towards the diagonal across it, where the cell is flat.
+TEST(MeshReport, FindsNearlyFlatCells) {
+  for (const double part : {0.005, 0.02, 0.5}) {
+    auto mesh = mesh_of(CellType::quad4);
+    const auto cell = mesh.blocks.back().cell(0);
+    const auto at = [&](std::size_t i) -> Vector3d& {
+      return mesh.points[static_cast<std::size_t>(cell[i])];
+    };
+    const Vector3d middle = 0.5 * (at(1) + at(3));
+    at(0) = middle + part * (at(0) - middle);
+    const auto report = examine(mesh);
+    EXPECT_EQ(report.inverted_cells.count, 0) << part;
+    EXPECT_EQ(report.flat_cells.count, part < 0.1 ? 1 : 0) << part;
+    EXPECT_EQ(report.looks_right(), part > 0.1) << part;
+    EXPECT_EQ(to_text(report).find("1 nearly flat cells (scaled Jacobian below 0.1): ") != std::string::npos,
+              part < 0.1);
+  }
+}
+
 TEST(MeshReport, CallsCellsThatARunMendsReversedAndNotInverted) {
   for (const auto type : {CellType::quad8, CellType::hexa20}) {
     SCOPED_TRACE(cell::topology(type).name);

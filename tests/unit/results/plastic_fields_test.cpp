@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Fields and probes of bodies that flow, in cells, at their Gauss points and at nodes.
+#include "rubato/domain/recovery.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/results/cell_fields.hpp"
 #include "rubato/results/nodal_fields.hpp"
 #include "rubato/results/probe_values.hpp"
@@ -8,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "support/solid_materials.hpp"
+#include "support/two_blocks.hpp"
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -121,6 +124,48 @@ void expect_fields(const DrawnBar& bar, const std::map<std::string, Values>& exp
   }
   EXPECT_EQ(bar.in_cells("_elem").at("stress").size(), 2U * 6);
   EXPECT_EQ(bar.in_cells("_elga").at("tresca").size(), 2U * 8);
+}
+
+/// A cantilever whose outer points flow near its root: the line through the points of a cell is negative
+/// where the cell is elastic.
+const std::string bent_beam = R"(
+mesh:
+  generate:
+    - {name: beam, rectangle: {from: [0, 0], to: [4, 1]}, divisions: [4, 1], cells: CELLS, sides: {left: left, right: right}}
+physics: plane_strain
+materials: {steel: {young: 200e3, poisson: 0.3}}
+functions: {ramp: {times: [0, 1], values: [0, 1]}}
+supports: [{on: left, fix: [x, y]}, {on: right, y: {value: -0.05, function: ramp}}]
+time: {scheme: static, step: 0.5, end: 1}
+)";
+
+TEST(PlasticFields, HaveNoNegativePlasticStrainAtNodes) {
+  for (const std::string cells : {"quad8", "quad9", "tria6"}) {
+    auto study = test::study_of(test::with(bent_beam, "CELLS", cells));
+    test::make_plastic(study.materials[0], yield_stress, modulus, study::StrainKind::small);
+    simulation::Simulation simulation(study);
+    while (!simulation.finished())
+      ASSERT_TRUE(simulation.advance().accepted());
+    const auto& model = simulation.model();
+    domain::CellTensors tensors(model.mesh, model.bulk, model.dofs, simulation.state().motion.u, {},
+                                &simulation.state().bulk_points);
+    double raw = 0, kept = 0, largest = 0;
+    for (std::size_t i = 0; i < model.bulk.cells.size(); ++i) {
+      const auto& to_nodes = domain::extrapolation(model.mesh.type_of(model.bulk.cells[i]));
+      raw = std::min(raw, (tensors.cumulated_plastic_strain(i) * to_nodes.transpose()).minCoeff());
+      kept = std::min(kept, tensors.cumulated_plastic_strain_at_nodes(i).minCoeff());
+    }
+    study::FieldOutput output;
+    output.also = {"cumulated_plastic_strain"};
+    for (const double value :
+         values_of(nodal_fields(model, simulation.state(), output), "cumulated_plastic_strain")) {
+      kept = std::min(kept, value);
+      largest = std::max(largest, value);
+    }
+    EXPECT_LT(raw, -1e-5) << cells;
+    EXPECT_EQ(kept, 0) << cells;
+    EXPECT_GT(largest, 1e-3) << cells;
+  }
 }
 
 /// σ = σ_y + H p = E (ε − p).

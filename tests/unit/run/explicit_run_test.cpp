@@ -10,6 +10,8 @@
 #include "support/scratch_folder.hpp"
 #include "support/two_blocks.hpp"
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace rubato::run::explicit_run_test {
 namespace {
@@ -31,12 +33,14 @@ protected:
   RunResult run(const study::Study& study) {
     Watch watch;
     watch.say = [this](const std::string& text) { said_ += text + "\n"; };
+    watch.warn = [this](const std::string& text) { warned_.push_back(text); };
     return run_study(study, folder_ / study.name, watch);
   }
   results::Table table(const std::string& name) const { return results::read_csv(folder_ / "run" / name); }
 
   test::ScratchFolder folder_;
   std::string said_;
+  std::vector<std::string> warned_;
 };
 
 TEST_F(ExplicitRun, RecordsAtEqualInstantsAndSaysItsStep) {
@@ -66,6 +70,43 @@ TEST_F(ExplicitRun, ClosesItsEnergy) {
   EXPECT_NEAR(last("external_work"),
               last("kinetic") + last("strain") + last("contact") + last("friction") + last("impact"),
               1e-12 * last("external_work"));
+}
+
+/// A lining of one layer that a grip presses on a block: static runs have N = 55. The springs that a run
+/// takes by itself follow the mass of their nodes, and are softer than the lining.
+TEST_F(ExplicitRun, SaysWhereItsOwnSpringsAreSofterThanALining) {
+  const auto study_of = [](const std::string& more) {
+    return deck::parse_deck(R"(
+mesh:
+  generate:
+    - {name: block, rectangle: {from: [0, 0], to: [5, 3]}, divisions: [1, 2], sides: {left: middle, right: face}}
+    - {name: pad, rectangle: {from: [5, 0], to: [6, 3]}, divisions: [1, 3], sides: {left: lining, right: grip}}
+physics: plane_strain
+materials:
+  steel: {young: 2e5, poisson: 0.3, density: 1.4e-4, cells: block}
+  rubber: {young: 1000, poisson: 0.4, density: 1.2e-9, cells: pad}
+functions: {squeeze: {ramp: [0, 0.01]}}
+supports: [{on: middle, fix: [x, y]}, {on: grip, x: {value: -0.01, function: squeeze}, y: 0}]
+contact: {grip: {slave: lining, master: face, friction: 0.43, method: penalty)" +
+                                more +
+                                R"(}}
+time: {scheme: central_difference, record: 1e-4, end: 0.02}
+)",
+                            "deck.yaml")
+        .runs.front();
+  };
+  ASSERT_EQ(run(study_of("")).status, Status::complete);
+  ASSERT_EQ(warned_.size(), 1U);
+  EXPECT_NE(warned_[0].find("the springs of contact.grip held 5.1 times what the bodies stored"),
+            std::string::npos)
+      << warned_[0];
+  EXPECT_NE(warned_[0].find("expected 'coefficients: {normal: 200000}' or more"), std::string::npos)
+      << warned_[0];
+  warned_.clear();
+  ASSERT_EQ(run(study_of(", coefficients: {normal: 2e5}")).status, Status::complete);
+  EXPECT_TRUE(warned_.empty()) << warned_.front();
+  const auto forces = table("resultants_grip.csv");
+  EXPECT_NEAR(forces.rows.back()[static_cast<std::size_t>(forces.column("normal"))], 55.5, 1);
 }
 
 TEST_F(ExplicitRun, TakesTheStepItIsGivenUnlessThatIsUnstable) {

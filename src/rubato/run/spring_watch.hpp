@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Says when the springs of penalties give way as bodies do.
+#pragma once
+
+#include "rubato/mesh/mesh.hpp"
+#include "rubato/model/fwd.hpp"
+#include "rubato/run/watch.hpp"
+#include "rubato/step/energy_ledger.hpp"
+#include "rubato/step/state.hpp"
+
+#include <cstddef>
+
+namespace rubato::run {
+
+/// A penalty is in series with the bodies that it holds apart. Of what a given way squeezes, the springs take
+/// the part of it that they have of the energy, and forces are too small by that part. Said once, at the end,
+/// of the zone whose springs held most.
+class SpringWatch {
+public:
+  /// Everything must outlive this.
+  SpringWatch(const model::Model& model, const Watch& watch) : model_(model), watch_(watch) {}
+
+  void note(const step::State& now, const step::EnergyLedger& ledger);
+  /// At the end of the run.
+  void tell() const;
+
+private:
+  /// What the springs of a zone hold, and the point that is pressed most.
+  struct Held {
+    double energy = 0; ///< [force · length]
+    double t = 0;
+    std::size_t zone = 0;
+    mesh::NodeIndex node = -1;
+    double depth = 0;     ///< of that point [length]
+    double stiffness = 0; ///< of its spring, as a coefficient of its method
+  };
+
+  Held held_by(std::size_t zone, const step::State& now) const;
+
+  const model::Model& model_;
+  const Watch& watch_;
+  double most_in_bodies_ = 0; ///< largest strain energy
+  Held most_;
+};
+
+} // namespace rubato::run
