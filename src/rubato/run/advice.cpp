@@ -155,6 +155,15 @@ void on_singular(const model::Model& model, Advice& advice) {
       advice.add(fmt::format("{}: the slave nodes that supports hold", key_of(zone, "exclude_nodes")));
 }
 
+/// A body that tips, or slides beyond its friction, has no equilibrium: no path of static states leads on.
+void on_lost_hold(const model::Model& model, Advice& advice) {
+  const bool rubs =
+      std::ranges::any_of(model.zones, [](const auto& zone) { return zone.settings.friction > 0; });
+  advice.add(fmt::format("less load, if the body tips or slides{}", rubs ? " beyond its friction" : ""));
+  advice.add("time.scheme: moreau_jean, which follows how it moves then",
+             [](study::Study& changed) { changed.time.scheme = study::SchemeKind::moreau_jean; });
+}
+
 /// Coefficients that the user has chosen and that are part of the answer.
 void on_coefficients(const contact::Zone& zone, Advice& advice) {
   for (const auto& [key, value] : contact::given_springs(zone))
@@ -273,12 +282,14 @@ std::vector<std::string> advice(const model::Model& model, const time::Scheme& s
                [](study::Study& changed) { changed.solver = study::Solver::automatic; });
   if (report.outcome == Outcome::plastic_step)
     advice.add(fmt::format("a larger time.max_plastic_step than {:g}", *model.study.time.max_plastic_step));
-  if (report.indefinite && model.study.time.scheme == study::SchemeKind::static_steps)
+  const bool is_held_by_contact = !model.free_body_nodes.empty(); // in static runs alone
+  if (!is_held_by_contact && report.indefinite && model.study.time.scheme == study::SchemeKind::static_steps)
     advice.add(model.study.time.arc_length
                    ? "shorter steps, or a scheme with inertia"
                    : "supports that move in the place of loads, time.arc_length, or a scheme with inertia");
-  if (!model.free_body_nodes.empty()) {
+  if (is_held_by_contact) {
     on_singular(model, advice);
+    on_lost_hold(model, advice);
     on_rolling(model, advice);
   }
   for (const auto& unmet : report.unmet)
@@ -288,7 +299,7 @@ std::vector<std::string> advice(const model::Model& model, const time::Scheme& s
     on_coefficients(zone, advice);
   on_scheme(model, scheme, advice);
   on_step(model.study.time, failure, advice);
-  if (only_residual(report))
+  if (only_residual(report) && !is_held_by_contact)
     advice.add(fmt::format("newton.max_iterations: {}", 2 * model.study.newton.max_iterations));
   on_place(model, report, advice);
   return advice.take();

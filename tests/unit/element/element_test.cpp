@@ -2,6 +2,7 @@
 #include "rubato/cell/quadrature.hpp"
 #include "rubato/element/element.hpp"
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include "support/bulk_cells.hpp"

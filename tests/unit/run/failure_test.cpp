@@ -139,6 +139,36 @@ time: {scheme: static, step: 0.1, end: 1}
   EXPECT_FALSE(has(advice_for(test::with(ring, "slave: under,", "slave: under, friction: 0.1,")), rolling));
 }
 
+/// A path of static states leads nowhere from there, whatever the matrix without contact is.
+TEST(Advice, OfABodyThatTipsOrSlidesIsLessLoadOrInertia) {
+  const std::string tower = R"deck(
+mesh: {generate: [{name: tower, rectangle: {from: [0, 0], to: [1, 3]}, divisions: [2, 6], sides: {bottom: under}}]}
+physics: plane_strain
+materials: {stone: {young: 3e10, poisson: 0.2, density: 2400, strain: green_lagrange}}
+loads: [{gravity: {x: 4, y: -10}}]
+contact: {floor: {slave: under, obstacle: {plane: {point: [0, 0], normal: [0, 1]}}, friction: 0.9}}
+time: {scheme: static, step: 0.1, end: 1}
+)deck";
+  const auto advice_for = [](const std::string& deck) {
+    const FailureOf failed(deck);
+    auto failure = failed.with(Outcome::too_many_iterations, {{Criterion::residual}});
+    failure.report.indefinite = true;
+    return failed.advice_for(failure);
+  };
+  const auto lines = advice_for(tower);
+  EXPECT_TRUE(has(lines, "less load, if the body tips or slides beyond its friction"));
+  EXPECT_TRUE(has(lines, "time.scheme: moreau_jean, which follows how it moves then"));
+  EXPECT_TRUE(
+      has(lines, "supports or springs along x, along y, against turning about z for the body of node N1"));
+  EXPECT_FALSE(has(lines, "arc_length"));
+  EXPECT_FALSE(has(lines, "newton.max_iterations"));
+  const auto weightless = test::with(test::with(tower, ", density: 2400", ""), "gravity: {x: 4, y: -10}",
+                                     "surface_force: {on: under, x: 4}");
+  EXPECT_FALSE(has(advice_for(weightless), "time.scheme")) << "it would need a density";
+  const auto held = test::with(tower, "loads:", "supports: [{on: under, fix: [x, y]}]\nloads:");
+  EXPECT_TRUE(has(advice_for(held), "arc_length"));
+}
+
 TEST(Advice, AgainstAGapIsSpringsInItsPlaceAndNotAShorterStepThatWasTriedAlready) {
   const FailureOf blocks(test::two_blocks);
   auto failure = blocks.with(Outcome::too_many_iterations, {{Criterion::gap, 0, 3, 3.1e-6, 2.5e-10, 4}});
