@@ -36,4 +36,8 @@ Eigen::VectorXd Products::mass(const Eigen::VectorXd& a) const {
   return product;
 }
 
+Eigen::VectorXd Products::nearby(const Eigen::VectorXd& a) const {
+  return extrapolation_ ? linalg::product(*extrapolation_, a) : a;
+}
+
 } // namespace rubato::model

@@ -32,6 +32,9 @@ public:
   /// M a [force], or M v; zero in static runs.
   Eigen::VectorXd mass(const Eigen::VectorXd& a) const;
 
+  /// P a, the motion of the bodies near nodes without mass; a where all have mass.
+  Eigen::VectorXd nearby(const Eigen::VectorXd& a) const;
+
 private:
   std::optional<linalg::NodalMatrix> mass_;
   std::optional<Eigen::SparseMatrix<double, Eigen::ColMajor, int>> extrapolation_; ///< P

@@ -19,6 +19,7 @@
 #include "rubato/results/summary_json.hpp"
 #include "rubato/results/vtkhdf.hpp"
 #include "rubato/results/vtu.hpp"
+#include "rubato/step/massless_motion.hpp"
 #include "rubato/study/echo.hpp"
 #include "rubato/study/stored_fields.hpp"
 #include "rubato/version.hpp"
@@ -30,6 +31,7 @@
 #include <array>
 #include <cmath>
 #include <exception>
+#include <optional>
 #include <utility>
 
 namespace rubato::results {
@@ -122,13 +124,18 @@ public:
             const step::StepReport& report, bool last) {
     mark();
     ++steps_done_;
-    write_probes(now);
-    write_resultants(now);
+    std::optional<step::State> other_motion;
+    if (!model_.massless_nodes.empty())
+      other_motion = step::with_massless_motion(model_, before, now);
+    const auto& told = other_motion ? *other_motion : now;
+    write_probes(told);
+    write_resultants(told);
     write_attempt(attempt, report);
     const bool wanted = wants_fields(now.t, now.t - before.t, last);
     unwritten_ = !wanted && model_.study.fields.last;
     if (wanted)
-      write_chosen(now);
+      write_chosen(told);
+    unwritten_state_ = unwritten_ ? std::move(other_motion) : std::nullopt;
   }
 
   void failed(const simulation::Attempt& attempt, const step::StepReport& report) {
@@ -166,6 +173,7 @@ public:
     history_.rows.resize(mark.history);
     steps_done_ = mark.steps_done;
     unwritten_ = mark.unwritten;
+    unwritten_state_.reset();
   }
 
   RecorderPosition position() {
@@ -195,7 +203,7 @@ public:
     std::exception_ptr unwritten_fields; // the summary needs less room than they do
     try {
       if (unwritten_ && ending.status != RunStatus::complete)
-        write_chosen(last);
+        write_chosen(unwritten_state_ ? *unwritten_state_ : last);
     } catch (const WriteError&) {
       unwritten_fields = std::current_exception();
     }
@@ -399,7 +407,8 @@ private:
   std::vector<CsvWriter> resultants_;
   std::vector<ContactTable> contact_;
   Table history_;
-  bool unwritten_ = false; // whether the last step has no fields that it may still get
+  bool unwritten_ = false;                     // whether the last step has no fields that it may still get
+  std::optional<step::State> unwritten_state_; // it, where its surfaces have no mass
   std::optional<GrowingFile> med_;
   std::optional<GrowingFile> vtkhdf_;
   int vtkhdf_instants_ = 0;
