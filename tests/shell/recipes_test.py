@@ -29,8 +29,8 @@ def typed(folder, commands):
     )
     assert done.returncode == 0, f"{commands}\n{done.stdout}{done.stderr}"
     told = [line for line in done.stderr.splitlines() if "warning" in line]
-    # SDNL140's meshes have two layers of linear cells, as its document wants them.
-    assert all("too stiff in bending" in line for line in told), done.stderr
+    # SDNL140's meshes have two layers of linear cells and its beams turn by small strain, as its document wants.
+    assert all("too stiff in bending" in line or "small strain stretches what turns" in line for line in told), done.stderr
     return done.stdout
 
 

@@ -19,7 +19,8 @@ void require_densities(const study::Study& study) {
     throw InputError(std::move(faults));
 }
 
-/// Surfaces, and what says how far apart they are; what holds them is the same for all laws.
+/// Surfaces, and what says how far apart they are; what holds them is the same for all laws. Friction stays,
+/// to be told that it is left out.
 study::ContactZone geometry_of(const study::ContactZone& asked) {
   study::ContactZone zone;
   zone.name = asked.name;
@@ -36,6 +37,8 @@ study::ContactZone geometry_of(const study::ContactZone& asked) {
   zone.clamped_normal = asked.clamped_normal;
   zone.integration = asked.integration;
   zone.exclude_nodes = asked.exclude_nodes;
+  zone.friction = asked.friction;
+  zone.friction_in_place = asked.friction_in_place;
   return zone;
 }
 
