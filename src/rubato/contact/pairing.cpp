@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/pairing.hpp"
 
-#include "rubato/cell/topology.hpp"
 #include "rubato/contact/point_tree.hpp"
 #include "rubato/contact/small_vectors.hpp"
 #include "rubato/core/tolerances.hpp"
@@ -74,19 +73,9 @@ void consider(const Zone& zone, int face_index, const Vector3d& point, std::span
     best = candidate;
 }
 
-/// A quarter of the face, whose reference is two long, that of a triangle one.
-double largest_overshoot(CellType type) {
-  const auto& cell = cell::topology(type);
-  const bool is_triangle = cell.dimension == 2 && cell.corner_count == 3;
-  return is_triangle ? tolerances.paired_overshoot / 2 : tolerances.paired_overshoot;
-}
-
 /// Unpaired where there is no face, or the projection lies too far outside it.
-Pair pair_of(const Zone& zone, const Candidate& best) {
-  if (best.face < 0)
-    return {};
-  const auto type = zone.master.faces[static_cast<std::size_t>(best.face)].type;
-  if (!(best.projection.overshoot <= largest_overshoot(type)))
+Pair pair_of(const Candidate& best) {
+  if (best.face < 0 || !(best.projection.overshoot <= tolerances.paired_overshoot))
     return {};
   return {best.face, best.projection};
 }
@@ -103,7 +92,7 @@ Pair pair_around(const Zone& zone, std::size_t node, const Vector3d& x, std::spa
   for (const int face : faces)
     if (!guessed || face != guess)
       consider(zone, face, x, master, best);
-  return pair_of(zone, best);
+  return pair_of(best);
 }
 
 Pair pair_among(const Zone& zone, std::span<const int> faces, const Vector3d& x,
@@ -111,7 +100,7 @@ Pair pair_among(const Zone& zone, std::span<const int> faces, const Vector3d& x,
   Candidate best;
   for (const int face : faces)
     consider(zone, face, x, master, best);
-  return pair_of(zone, best);
+  return pair_of(best);
 }
 
 Pair pair_on(const Zone& zone, int face, const Vector3d& x, std::span<const Vector3d> master) {

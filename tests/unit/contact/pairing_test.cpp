@@ -10,7 +10,6 @@
 #include "support/model_parts.hpp"
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <random>
 #include <string>
 #include <vector>
@@ -115,11 +114,6 @@ protected:
   }
 };
 
-double quarter_of_a_face(CellType type) {
-  const auto& cell = cell::topology(type);
-  return cell.corner_count == 3 ? 0.25 : 0.5;
-}
-
 TEST_P(PairsOn, AreWithTheNearestFaceOfAllThatHoldTheProjection) {
   const auto model = model_of_plates();
   const auto& zone = model.zones.front();
@@ -144,7 +138,7 @@ TEST_P(PairsOn, AreWithTheNearestFaceOfAllThatHoldTheProjection) {
       ++paired;
       const auto found = fit_on(zone, pairs[i].master_face, x, master);
       EXPECT_EQ(found.inside, best.inside) << "point " << i;
-      EXPECT_LE(pairs[i].projection.overshoot, quarter_of_a_face(zone.master.faces.front().type));
+      EXPECT_LE(pairs[i].projection.overshoot, tolerances.paired_overshoot);
       if (best.inside) {
         EXPECT_NEAR(found.distance, best.distance, 1e-9) << "point " << i;
       }
@@ -193,24 +187,6 @@ TEST_P(PairsOn, AreTheSameAmongTheFacesAroundANode) {
   }
   EXPECT_GT(paired, 0);
   EXPECT_GT(unpaired, 0);
-}
-
-/// A node of the upper plate beyond the end of the lower one at x = 1, whose faces are 1/3 long. Beyond the
-/// longest side of a triangle's reference it is 0.35 of a face.
-TEST_P(PairsOn, EndAQuarterOfAFaceBeyondTheMaster) {
-  const auto model = model_of_plates();
-  const auto& zone = model.zones.front();
-  const Eigen::VectorXd u = Eigen::VectorXd::Zero(model.dofs.dof_count);
-  const auto master = master_of(zone, {&model.mesh, &model.dofs, &u, &u});
-  std::vector<int> all(zone.master.faces.size());
-  std::iota(all.begin(), all.end(), 0);
-  const auto is_paired = [&](double beyond) {
-    return pair_among(zone, all, {1 + beyond / 3, 0, 0.01}, master).paired();
-  };
-  for (const double beyond : {-0.1, 0.01, 0.2, 0.24})
-    EXPECT_TRUE(is_paired(beyond)) << beyond;
-  for (const double beyond : {0.36, 0.4, 0.5})
-    EXPECT_FALSE(is_paired(beyond)) << beyond;
 }
 
 INSTANTIATE_TEST_SUITE_P(Faces, PairsOn, testing::Values("hexa8", "hexa20", "hexa27", "tetra4", "tetra10"),
