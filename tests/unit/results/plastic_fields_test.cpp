@@ -157,8 +157,8 @@ TEST(PlasticFields, HaveNoNegativePlasticStrainAtNodes) {
     }
     study::FieldOutput output;
     output.also = {"cumulated_plastic_strain"};
-    for (const double value :
-         values_of(nodal_fields(model, simulation.state(), output), "cumulated_plastic_strain")) {
+    const auto fields = nodal_fields(model, simulation.state(), output);
+    for (const double value : values_of(fields, "cumulated_plastic_strain")) {
       kept = std::min(kept, value);
       largest = std::max(largest, value);
     }
