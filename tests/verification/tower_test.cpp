@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/study/study.hpp"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

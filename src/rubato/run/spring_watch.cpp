@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/run/spring_watch.hpp"
 
+#include "rubato/contact/zone.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/model/node_label.hpp"
 

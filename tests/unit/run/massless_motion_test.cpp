@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Velocities and accelerations of nodes without mass, as results have them.
+#include "rubato/contact/zone.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/step/massless_motion.hpp"
 
