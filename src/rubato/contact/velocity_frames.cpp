@@ -59,8 +59,8 @@ void count_from(const Vector3d& relative, double normal, const Moving& moving, c
     k.slip_origin[a] = law.step * (1 - law.theta) * dot(column_of(k.tangents, a), relative);
 }
 
-/// A point without mass that is open does not reach beyond the surface at the end of the step either: it has
-/// no velocity of its own that would tell whether it closes.
+/// An open point without mass has no velocity that decides whether it closes. Its gap at the end of the step
+/// decides that: it must not be negative.
 void count_gap(const Moving& moving, PointEvaluation& point) {
   point.kinematics = with_frozen_frame(std::move(*point.kinematics));
   carry(*point.kinematics, moving);

@@ -187,7 +187,7 @@ MatrixXd CellTensors::nonlinear_at_points(Tensor what, const Behaviour& behaviou
   return at_each_point(result, block->type);
 }
 
-/// It grows from 0 and never falls, but the line through two points may fall below.
+/// Cumulated plastic strain is never negative at points; its extrapolation to nodes may be.
 MatrixXd CellTensors::cumulated_plastic_strain_at_nodes(std::size_t cell) {
   MatrixXd values =
       times_transposed(cumulated_plastic_strain(cell), extrapolation(mesh_.type_of(bulk_.cells[cell])));

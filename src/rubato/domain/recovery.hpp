@@ -47,7 +47,7 @@ public:
   Eigen::MatrixXd at_nodes(Tensor what, std::size_t cell);
   /// p = ∫ √(2/3 dε^p:dε^p), 1 × points; 0 of laws that do not yield.
   Eigen::MatrixXd cumulated_plastic_strain(std::size_t cell);
-  /// The same extrapolated to the nodes of the cell, 1 × nodes; where that is negative, 0.
+  /// p extrapolated to the nodes of the cell, 1 × nodes; 0 where the extrapolation is negative.
   Eigen::MatrixXd cumulated_plastic_strain_at_nodes(std::size_t cell);
 
 private:

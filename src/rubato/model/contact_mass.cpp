@@ -43,7 +43,7 @@ Matrix3d cross_matrix(const Vector3d& v) {
   return matrix;
 }
 
-/// Of an inertia; in the plane about z. Nothing where a rotation moves no place.
+/// The inverse of an inertia; in the plane about z. Nothing where a rotation moves no place.
 std::optional<Matrix3d> inverse_of(const Matrix3d& inertia, int dimension) {
   const double size = inertia.trace();
   Matrix3d inverse = Matrix3d::Zero();
@@ -112,9 +112,9 @@ private:
   const std::vector<char>& on_surface_;
 };
 
-/// v = v_a + ω × (x − x_a): of the nearest node a, or of the mean of those that are equally near, and with
-/// the rotation of the nodes around, ω = I⁻¹ Σ w_k r_k × v_k, w_k = d_k⁻⁴, r_k from their centre, I = Σ w_k
-/// (|r_k|² 1 − r_k r_kᵀ). Nothing where the places leave a rotation open.
+/// v = v_a + ω × (x − x_a). Node a is the nearest one, or the mean of those that are equally near. The nodes
+/// around rotate by ω = I⁻¹ Σ w_k r_k × v_k, I = Σ w_k (|r_k|² 1 − r_k r_kᵀ), w_k = d_k⁻⁴, r_k from their
+/// centre. Nothing where their places do not determine a rotation.
 ///
 /// The nearest node alone carries the translation: a smooth mean would not accelerate all nodes of a plane
 /// front alike.

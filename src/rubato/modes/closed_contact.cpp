@@ -60,8 +60,7 @@ public:
       warnings_.push_back(fmt::format(
           "contact.{}: points slide without friction; with the friction of the study motions may grow by "
           "themselves (squeal), which these modes do not show, expected 'friction: 0', '--contact stuck' or "
-          "a "
-          "run in time",
+          "a run in time",
           zone.settings.name));
   }
 

@@ -19,8 +19,7 @@ void require_densities(const study::Study& study) {
     throw InputError(std::move(faults));
 }
 
-/// Surfaces, and what says how far apart they are; what holds them is the same for all laws. Friction stays,
-/// to be told that it is left out.
+/// The surfaces of a zone, their distance, and its friction, of which modes warn. Its law plays no part.
 study::ContactZone geometry_of(const study::ContactZone& asked) {
   study::ContactZone zone;
   zone.name = asked.name;

@@ -60,12 +60,12 @@ void SpringWatch::note(const step::State& now, const step::EnergyLedger& ledger)
 
 void SpringWatch::tell() const {
   const double part = most_.energy / most_in_bodies_;
-  if (!(most_.energy > 0) || !(part > soft_part))
+  if (!(most_in_bodies_ > 0) || !(part > soft_part))
     return;
   watch_.warn(fmt::format(
       "{}: the springs of contact.{} held {:.2g} times what the bodies stored, at t = {:g}, with a "
-      "penetration of "
-      "{:.2g} at node {}: forces of bodies that a given way squeezes are too small by {:.0f} %; expected "
+      "penetration of {:.2g} at node {}: forces of bodies that a given way squeezes are too small by {:.0f} "
+      "%; expected "
       "'coefficients: {{normal: {:g}}}' or more",
       model_.study.name, model_.zones[most_.zone].settings.name, part, most_.t, most_.depth,
       model::node_label(model_.mesh, most_.node), 100 * part / (1 + part),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/run/strain_watch.hpp"
 
+#include "rubato/cell/parts.hpp"
 #include "rubato/cell/reference_cell.hpp"
 #include "rubato/contact/small_vectors.hpp"
 #include "rubato/domain/behaviour.hpp"
@@ -31,17 +32,6 @@ using model::Model;
 bool has_small_strain(const domain::Bulk& bulk, std::size_t cell) {
   const auto* const behaviour = bulk.behaviour(cell);
   return behaviour == nullptr || behaviour->strain == element::StrainKind::small;
-}
-
-/// The cell of the corners alone: their motion tells the turn and the stretch of the cell on average.
-CellType type_of_corners(CellType type) {
-  const auto& cell = cell::topology(type);
-  if (cell.dimension == 2)
-    return cell.corner_count == 3 ? CellType::tria3 : CellType::quad4;
-  for (const auto corners : {CellType::tetra4, CellType::pyra5, CellType::penta6})
-    if (cell.corner_count == cell::topology(corners).corner_count)
-      return corners;
-  return CellType::hexa8;
 }
 
 Vector3d middle_of(const cell::ReferenceCell& reference) {
@@ -148,7 +138,7 @@ StrainWatch::StrainWatch(const Model& model, const Watch& watch) : model_(model)
 
 void StrainWatch::add(std::size_t cell) {
   const auto [block, index] = model_.mesh.place_of(model_.bulk.cells[cell]);
-  const auto& reference = cell::reference_cell(type_of_corners(block->type));
+  const auto& reference = cell::reference_cell(cell::linear_type(block->type));
   const auto corners = block->cell(index).first(static_cast<std::size_t>(reference.node_count));
   const auto slopes = slopes_in(model_.mesh, reference, corners);
   const bool has_hoop = model_.bulk.section.physics == study::Physics::axisymmetric;

@@ -18,7 +18,7 @@ constexpr double least_kink = 1e-6;
 /// A mean of unit normals below that has no direction.
 constexpr double no_mean = 1e-3;
 
-/// What the parts around one slave node say.
+/// Integrals over the parts around one slave node, of the master before it.
 struct Faced {
   Vector3d normals = Vector3d::Zero(); ///< ∫Φ_j n_m
   double kinks = 0;                    ///< ∫H_j ΣN_l κ_l

@@ -32,7 +32,7 @@ struct SeenGap {
   int master_face = -1; ///< none before an obstacle
 };
 
-/// What a sub-facet faces, by its nodes: how directions of slave nodes are found (directions.hpp).
+/// Integrals of a sub-facet over the master before it, by its nodes, for directions.hpp.
 struct FacedMaster {
   Eigen::Matrix<double, 4, 3> normals = Eigen::Matrix<double, 4, 3>::Zero(); ///< ∫H_i n_m [area]
   Eigen::Vector4d kinks = Eigen::Vector4d::Zero();                           ///< ∫H_i ΣN_l κ_l [area]
