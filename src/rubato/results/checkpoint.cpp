@@ -11,6 +11,7 @@
 #include "rubato/results/seal.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <concepts>
@@ -85,6 +86,11 @@ public:
   explicit Writer(Hdf5File& file) : file_(&file) {}
 
   void text(const std::string& name, std::string& value) { file_->write(name, value); }
+  /// Left out where there is none, as in files from before there was such a text.
+  void text_if(const std::string& name, std::string& value) {
+    if (!value.empty())
+      text(name, value);
+  }
   void number(const std::string& name, double& value) { file_->write(name, std::span(&value, 1)); }
   /// Left out where it is 0, as in files from before there was such a number.
   void number_if(const std::string& name, double& value) {
@@ -148,6 +154,7 @@ public:
   std::uintmax_t bytes() const { return of_file + bytes_; }
 
   void text(const std::string&, const std::string& value) { add(value.size()); }
+  void text_if(const std::string& name, const std::string& value) { text(name, value); }
   void number(const std::string&, double&) { add(sizeof(double)); }
   void number_if(const std::string& name, double& value) { number(name, value); }
   template <Whole T> void whole(const std::string&, T&) { add(sizeof(std::int64_t)); }
@@ -189,6 +196,9 @@ public:
   explicit Reader(const Hdf5File& file) : file_(&file) {}
 
   void text(const std::string& name, std::string& value) { value = file_->text(name); }
+  void text_if(const std::string& name, std::string& value) {
+    value = file_->has(name) ? file_->text(name) : "";
+  }
   void number(const std::string& name, double& value) { value = file_->numbers(name).at(0); }
   void number_if(const std::string& name, double& value) {
     value = file_->has(name) ? file_->numbers(name).at(0) : 0;
@@ -342,6 +352,12 @@ template <class Archive> void exchange(Archive& archive, step::EnergyRecord& rec
   archive.number_if("energy_record/by_bulk_scheme", record.by_bulk_scheme);
 }
 
+template <class Archive> void exchange(Archive& archive, std::vector<Plausibility>& checks) {
+  auto text = checks.empty() ? std::string() : plausibility_json(checks).dump();
+  archive.text_if("plausibility", text);
+  checks = text.empty() ? std::vector<Plausibility>() : plausibility_of(nlohmann::ordered_json::parse(text));
+}
+
 template <class Archive> void exchange(Archive& archive, RecorderPosition& position) {
   archive.whole("files/steps", position.steps);
   archive.whole("files/probes", position.probes);
@@ -412,6 +428,7 @@ template <class Archive> void exchange(Archive& archive, Checkpoint& checkpoint)
   of_explicit.place.now = memento.state.t;
   exchange(archive, is_explicit_now ? of_explicit : std::get<simulation::ImplicitProgress>(memento.progress));
   exchange(archive, checkpoint.record);
+  exchange(archive, checkpoint.plausibility);
   exchange(archive, checkpoint.recorder);
   bool is_explicit = is_explicit_now != nullptr;
   archive.whole("is_explicit", is_explicit);

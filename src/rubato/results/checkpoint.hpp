@@ -6,6 +6,7 @@
 /// then renamed, so that there is always a whole one.
 #pragma once
 
+#include "rubato/results/plausibility.hpp"
 #include "rubato/results/recorder.hpp"
 #include "rubato/simulation/memento.hpp"
 #include "rubato/step/energy.hpp"
@@ -14,6 +15,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace rubato::results {
 
@@ -25,6 +27,7 @@ struct Checkpoint {
   double loop_seconds = 0;
   simulation::Memento memento; ///< explicit runs have no ledger in it: it is rebuilt from the motion
   step::EnergyRecord record;
+  std::vector<Plausibility> plausibility; ///< so far
   RecorderPosition recorder;
 };
 

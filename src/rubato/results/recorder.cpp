@@ -289,6 +289,7 @@ private:
                       {"method", method_},
                       {"factor_bytes", factor_bytes_},
                       {"checks", ordered_json::array()},
+                      {"plausibility", plausibility_json(ending.plausibility)},
                       {"warnings", warnings_},
                       {"contact_sides", sides_json(model_)},
                       {"tolerances", tolerances_json()},

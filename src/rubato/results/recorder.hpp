@@ -9,14 +9,15 @@
 ///   energy.csv             t and the parts of the energy ledger
 ///   steps.jsonl            one JSON object a step tried, accepted or not
 ///   fields/*.vtu, *.pvd    and fields.med, fields.vtkhdf, at the chosen instants
-///   run.json               status, the study, versions, timings, iterations, checks; there from the start,
-///                          with status "running"
+///   run.json               status, the study, versions, timings, iterations, checks of the deck and of the
+///                          run itself; there from the start, with status "running"
 #pragma once
 
 #include "rubato/model/fwd.hpp"
 #include "rubato/results/checks.hpp"
 #include "rubato/results/csv.hpp"
 #include "rubato/results/failure.hpp"
+#include "rubato/results/plausibility.hpp"
 #include "rubato/results/run_status.hpp"
 #include "rubato/simulation/attempt.hpp"
 #include "rubato/step/energy_ledger.hpp"
@@ -44,6 +45,7 @@ struct Ending {
   int iterations = 0;
   int cuts = 0;
   std::optional<Failure> failure = {};
+  std::vector<Plausibility> plausibility = {};
   double sent_bytes = 0; ///< by ranks to one another in the loop of steps, but for what solvers send
 };
 

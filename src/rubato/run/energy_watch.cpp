@@ -23,6 +23,8 @@ constexpr double worth_telling = 1e-6;
 constexpr double most_in_hourglasses = 0.05;
 /// Of the largest energy: where bodies begin to deform, hourglasses may hold much of little.
 constexpr double few_in_hourglasses = 1e-3;
+/// Of the largest energy: what rounding and convergence leave.
+constexpr double unexplained_energy = 1e-6;
 
 /// What the bodies have from nowhere: all in all, or from contact or finite strain alone where the scheme
 /// takes that again.
@@ -75,6 +77,8 @@ void EnergyWatch::note(double t, const step::EnergyLedger& ledger) {
   note_hourglasses(t);
   if (gained(ledger) <= std::max(worth_a_warning * record_.largest, ledger.rounding)) {
     gained_for_ = 0;
+    if (!warned_ && gained(ledger) > ledger.rounding)
+      gain_part_ = std::max(gain_part_, gained(ledger) / record_.largest);
     return;
   }
   if (gained_for_++ == 0)
@@ -85,8 +89,10 @@ void EnergyWatch::note(double t, const step::EnergyLedger& ledger) {
 
 void EnergyWatch::note_hourglasses(double t) {
   most_internal_ = std::max(most_internal_, now_.strain + now_.back_stress + now_.plastic + now_.viscous);
-  if (told_hourglasses_ || now_.hourglass <= most_in_hourglasses * most_internal_ ||
-      now_.hourglass <= few_in_hourglasses * record_.largest)
+  if (now_.hourglass <= few_in_hourglasses * record_.largest)
+    return;
+  hourglass_part_ = std::max(hourglass_part_, now_.hourglass / most_internal_);
+  if (told_hourglasses_ || now_.hourglass <= most_in_hourglasses * most_internal_)
     return;
   told_hourglasses_ = true;
   watch_.warn(
@@ -100,6 +106,7 @@ void EnergyWatch::warn(const std::string& when) {
   if (std::exchange(warned_, true))
     return;
   const double gain = gained(now_);
+  gain_part_ = gain / record_.largest;
   watch_.warn(fmt::format("{}: energy gained {}: {:.3g}, {:.2g} of the largest energy; {}", run_, when, gain,
                           gain / record_.largest, causes_of(now_)));
 }
@@ -118,6 +125,20 @@ void EnergyWatch::tell() {
                            : "";
   watch_.say(fmt::format("{}: energy balance within {:.2g} of the largest energy, {:.4g}{}{}", run_,
                          record_.largest_balance / record_.largest, record_.largest, overlap, gain));
+}
+
+std::vector<results::Plausibility> EnergyWatch::checks() const {
+  if (!(record_.largest > 0))
+    return {};
+  std::vector<results::Plausibility> checks{
+      {"energy_gain", gain_part_, worth_a_warning, gained_since_, "", "", warned_},
+      {"energy_balance", record_.largest_balance / record_.largest, unexplained_energy, 0, "",
+       "the ledger leaves this part of the largest energy unexplained; expected a smaller "
+       "'convergence.residual'"}};
+  if (now_.hourglass > 0)
+    checks.push_back(
+        {"hourglass_energy", hourglass_part_, most_in_hourglasses, 0, "", "", told_hourglasses_});
+  return checks;
 }
 
 } // namespace rubato::run

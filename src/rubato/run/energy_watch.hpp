@@ -2,10 +2,12 @@
 /// What is said of a run's energy.
 #pragma once
 
+#include "rubato/results/plausibility.hpp"
 #include "rubato/run/watch.hpp"
 #include "rubato/step/energy_ledger.hpp"
 
 #include <string>
+#include <vector>
 
 namespace rubato::run {
 
@@ -22,6 +24,8 @@ public:
   /// At the end of the run.
   void tell();
   const step::EnergyRecord& record() const { return record_; }
+  /// The gain, the balance of the ledger, hourglasses.
+  std::vector<results::Plausibility> checks() const;
 
 private:
   void warn(const std::string& when);
@@ -36,6 +40,8 @@ private:
   bool warned_ = false;
   double most_internal_ = 0; ///< that bodies have stored and dissipated
   bool told_hourglasses_ = false;
+  double gain_part_ = 0; ///< of the largest energy: gained where it was warned of, else the most below that
+  double hourglass_part_ = 0; ///< the most that hourglasses held of what the bodies stored and dissipated
 };
 
 } // namespace rubato::run

@@ -5,6 +5,7 @@
 #include "rubato/core/ranks.hpp"
 #include "rubato/mesh/mesh.hpp"
 #include "rubato/results/checks.hpp"
+#include "rubato/results/plausibility.hpp"
 #include "rubato/results/run_status.hpp"
 #include "rubato/run/watch.hpp"
 #include "rubato/step/energy_ledger.hpp"
@@ -33,8 +34,9 @@ struct RunResult {
   double loop_seconds = 0;
   double elapsed_seconds = 0; ///< of this process on the run, by the clock
   std::vector<results::CheckResult> checks;
-  step::EnergyRecord energy; ///< how well its ledger closes, and what it gained
-  step::State end;           ///< the last accepted state
+  std::vector<results::Plausibility> plausibility; ///< of the run itself; results of the first rank
+  step::EnergyRecord energy;                       ///< how well its ledger closes, and what it gained
+  step::State end;                                 ///< the last accepted state
 
   bool checks_hold() const;
 };

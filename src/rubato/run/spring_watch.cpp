@@ -59,8 +59,8 @@ void SpringWatch::note(const step::State& now, const step::EnergyLedger& ledger)
 }
 
 void SpringWatch::tell() const {
-  const double part = most_.energy / most_in_bodies_;
-  if (!(most_in_bodies_ > 0) || !(part > soft_part))
+  const double part = this->part();
+  if (!(part > soft_part))
     return;
   watch_.warn(fmt::format(
       "{}: the springs of contact.{} held {:.2g} times what the bodies stored, at t = {:g}, with a "
@@ -70,6 +70,15 @@ void SpringWatch::tell() const {
       model_.study.name, model_.zones[most_.zone].settings.name, part, most_.t, most_.depth,
       model::node_label(model_.mesh, most_.node), 100 * part / (1 + part),
       rounded_up(most_.stiffness * part / good_part)));
+}
+
+std::vector<results::Plausibility> SpringWatch::checks() const {
+  const bool any = std::ranges::any_of(
+      model_.zones, [](const auto& zone) { return !study::entry_of(zone.settings.method).exact; });
+  if (!any)
+    return {};
+  return {{"contact_springs", part(), soft_part, most_.t,
+           fmt::format("contact.{}", model_.zones[most_.zone].settings.name), "", part() > soft_part}};
 }
 
 } // namespace rubato::run

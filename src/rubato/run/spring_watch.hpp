@@ -4,11 +4,13 @@
 
 #include "rubato/mesh/mesh.hpp"
 #include "rubato/model/fwd.hpp"
+#include "rubato/results/plausibility.hpp"
 #include "rubato/run/watch.hpp"
 #include "rubato/step/energy_ledger.hpp"
 #include "rubato/step/state.hpp"
 
 #include <cstddef>
+#include <vector>
 
 namespace rubato::run {
 
@@ -23,6 +25,8 @@ public:
   void note(const step::State& now, const step::EnergyLedger& ledger);
   /// At the end of the run.
   void tell() const;
+  /// None where no zone has springs.
+  std::vector<results::Plausibility> checks() const;
 
 private:
   /// What the springs of a zone hold, and the point that is pressed most.
@@ -35,6 +39,7 @@ private:
     double stiffness = 0; ///< of its spring, as a coefficient of its method
   };
 
+  double part() const { return most_in_bodies_ > 0 ? most_.energy / most_in_bodies_ : 0; }
   Held held_by(std::size_t zone, const step::State& now) const;
 
   const model::Model& model_;

@@ -160,6 +160,10 @@ void StrainWatch::note(double t, const VectorXd& u) {
   if (looked_at_.size() > 0 && largest_move(looked_at_, u) < margin_)
     return;
   const auto [turn, stretch] = model_.dofs.components == 2 ? worst_at<2>(u) : worst_at<3>(u);
+  if (turn.size > largest_.turn.size)
+    largest_.turn = {turn.size, turn.cell, t};
+  if (stretch.size > largest_.stretch.size)
+    largest_.stretch = {stretch.size, stretch.cell, t};
   if (!told_turn_ && turn.size > model::largest_small_angle)
     tell_turn(t, turn);
   if (!told_stretch_ && stretch.size > largest_small_strain)
@@ -186,14 +190,14 @@ template <int D> StrainWatch::Found StrainWatch::worst_at(const VectorXd& u) con
       }
     const double hoop = by_radius * outward / corners;
     if (const double square = square_of_turn<D>(h); square > turn.size)
-      turn = {square, cell};
+      turn = {square, cell, 0};
     double square = square_of_strain<D>(h, hoop);
     if (square > limit) // of what is less the length will do
       square = std::pow(principal_strain<D>(h, hoop), 2);
     if (square > stretch.size)
-      stretch = {square, cell};
+      stretch = {square, cell, 0};
   }
-  return {{std::sqrt(turn.size), turn.cell}, {std::sqrt(stretch.size), stretch.cell}};
+  return {{std::sqrt(turn.size), turn.cell, 0}, {std::sqrt(stretch.size), stretch.cell, 0}};
 }
 
 void StrainWatch::tell_turn(double t, const Worst& turn) {
@@ -217,6 +221,18 @@ void StrainWatch::tell_stretch(double t, const Worst& stretch) {
 
 const study::Material& StrainWatch::material_of(std::size_t cell) const {
   return model_.study.materials[static_cast<std::size_t>(model_.bulk.law_of_cell[cell])];
+}
+
+std::vector<results::Plausibility> StrainWatch::checks() const {
+  if (cells_.empty())
+    return {};
+  const auto place = [&](const Worst& worst) {
+    return domain::cell_label(model_.mesh, model_.bulk.cells[worst.cell]);
+  };
+  return {{"rotation", largest_.turn.size, model::largest_small_angle, largest_.turn.t, place(largest_.turn),
+           "", told_turn_},
+          {"strain", largest_.stretch.size, largest_small_strain, largest_.stretch.t, place(largest_.stretch),
+           "", told_stretch_}};
 }
 
 } // namespace rubato::run

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rubato/model/fwd.hpp"
+#include "rubato/results/plausibility.hpp"
 #include "rubato/run/watch.hpp"
 #include "rubato/study/study.hpp"
 
@@ -27,11 +28,14 @@ public:
 
   /// `u`: displacements, one a dof.
   void note(double t, const Eigen::VectorXd& u);
+  /// None where no material has small strain. Values are those of the instants at which cells were looked at.
+  std::vector<results::Plausibility> checks() const;
 
 private:
   struct Worst {
     double size = 0;
     std::size_t cell = 0; ///< index in the bulk's cells
+    double t = 0;
   };
 
   struct Found {
@@ -57,6 +61,7 @@ private:
   double steepest_ = 0;       ///< largest Σ|∂N_i/∂X| of a cell [1/length]
   Eigen::VectorXd looked_at_; ///< u where all were looked at last
   double margin_ = 0;         ///< how far any dof may move from there before one can be beyond [length]
+  Found largest_;
   bool told_turn_ = false, told_stretch_ = false;
 };
 

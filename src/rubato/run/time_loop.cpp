@@ -7,14 +7,9 @@
 #include "rubato/results/recorder.hpp"
 #include "rubato/run/advice.hpp"
 #include "rubato/run/checkpoints.hpp"
-#include "rubato/run/energy_watch.hpp"
 #include "rubato/run/failure.hpp"
-#include "rubato/run/overlap_watch.hpp"
-#include "rubato/run/recall_watch.hpp"
 #include "rubato/run/run_study.hpp"
-#include "rubato/run/spring_watch.hpp"
-#include "rubato/run/strain_watch.hpp"
-#include "rubato/run/turn_watch.hpp"
+#include "rubato/run/watches.hpp"
 #include "rubato/simulation/time_integration.hpp"
 #include "rubato/step/told_state.hpp"
 #include "rubato/study/damping.hpp"
@@ -71,9 +66,8 @@ public:
                             .memento = course.from ? &course.from->memento : nullptr,
                             .tell_memory = [this](std::size_t bytes) { tell_memory(bytes); }}),
         keeper_(model.study, course, watch_),
-        energy_(model.study.name, watch_, course.from ? course.from->record : step::EnergyRecord()),
-        overlaps_(model, watch_), recall_(model, watch_), turns_(model, watch_), strains_(model, watch_),
-        springs_(model, watch_) {
+        watches_(model, watch_, course.from ? course.from->record : step::EnergyRecord(),
+                 course.from ? course.from->plausibility : std::vector<results::Plausibility>()) {
     if (!course.from)
       return;
     records_ = course.from->recorder.steps;
@@ -100,9 +94,8 @@ public:
     if (result_.status != Status::not_converged && keeper_.keeps_end())
       result_.kept = keep_checkpoint();
     take_counters();
-    energy_.tell();
-    springs_.tell();
-    result_.energy = energy_.record();
+    result_.plausibility = watches_.tell();
+    result_.energy = watches_.energy();
     result_.end = *step::ToldState(model_, simulation_.state());
     finish();
     return std::move(result_);
@@ -164,12 +157,8 @@ private:
     ranks().first_does([&] {
       recorder_->step(step.before, *now, step.attempt, step.report, step.last);
       recorder_->energy(step.now.t, step.energy);
-      strains_.note((*now).t, (*now).motion.u);
     });
-    overlaps_.note(step.before, step.now);
-    recall_.note(step.before, step.now);
-    turns_.note(step.now);
-    springs_.note(step.now, step.energy);
+    watches_.note(step.before, step.now, *now, step.energy, step.last);
   }
 
   /// A run that ends here is kept as it was before the attempt: resumed with other means, it makes it again.
@@ -195,7 +184,8 @@ private:
       checkpoint.setup_seconds = result_.setup_seconds;
       checkpoint.loop_seconds = loop_seconds();
       checkpoint.memento = std::move(memento);
-      checkpoint.record = energy_.record();
+      checkpoint.record = watches_.energy();
+      checkpoint.plausibility = watches_.checks();
       checkpoint.recorder = recorder_->position();
       return checkpoint;
     });
@@ -293,7 +283,7 @@ private:
   void go_on(const StepResult& result) {
     ++records_;
     const double t = simulation_.state().t;
-    energy_.note(t, result.energy);
+    watches_.note_energy(t, result.energy);
     tell_rounding(t, result.report);
     tell_instability(t, result.report);
     if (keeper_.is_due(records_, t, result.attempt.end - result.attempt.begin) && !simulation_.finished())
@@ -370,10 +360,11 @@ private:
     const step::ToldState end(model_, simulation_.state());
     try {
       ranks().first_does([&] {
-        result_.checks = recorder_->finish({result_.status, result_.message, result_.setup_seconds,
-                                            result_.loop_seconds, result_.elapsed_seconds, result_.steps,
-                                            result_.iterations, result_.cuts, failure_, sent},
-                                           *end);
+        result_.checks =
+            recorder_->finish({result_.status, result_.message, result_.setup_seconds, result_.loop_seconds,
+                               result_.elapsed_seconds, result_.steps, result_.iterations, result_.cuts,
+                               failure_, result_.plausibility, sent},
+                              *end);
       });
     } catch (const WriteError&) {
       if (!broken_off_)
@@ -391,12 +382,7 @@ private:
   /// Of the first rank, once nothing can be refused any more: that leaves no folder.
   std::optional<results::Recorder> recorder_;
   CheckpointWriter keeper_;
-  EnergyWatch energy_;
-  OverlapWatch overlaps_;
-  RecallWatch recall_;
-  TurnWatch turns_;
-  StrainWatch strains_;
-  SpringWatch springs_;
+  Watches watches_;
   int records_ = 0; ///< so far: steps of results
   double loop_start_ = 0;
   double former_loop_seconds_ = 0;

@@ -68,6 +68,7 @@ TurnWatch::TurnWatch(const model::Model& model, const Watch& watch) : model_(mod
   for (const auto& reference : model.references)
     if (reference.turns && is_bound(model.study, reference))
       watched_.push_back(&reference);
+  any_ = !ways_.empty() || !watched_.empty();
 }
 
 void TurnWatch::note(const step::State& now) {
@@ -78,6 +79,8 @@ void TurnWatch::note(const step::State& now) {
 void TurnWatch::note_connectors(const step::State& now) {
   std::erase_if(ways_, [&](const model::ConnectorWay* way) {
     const double turn = turn_of(*way, now);
+    if (turn > largest_.turn)
+      largest_ = {turn, now.t, fmt::format("the connector between '{}' and '{}'", way->on, way->to)};
     if (!(turn > model::largest_small_angle))
       return false;
     watch_.warn(
@@ -92,6 +95,8 @@ void TurnWatch::note_connectors(const step::State& now) {
 void TurnWatch::note_relations(const step::State& now) {
   std::erase_if(watched_, [&](const model::Reference* reference) {
     const double turn = turn_of(*reference, now, model_.dofs.components);
+    if (turn > largest_.turn)
+      largest_ = {turn, now.t, fmt::format("the relation '{}'", reference->name)};
     if (!(turn > model::largest_small_angle))
       return false;
     const auto& relation = relation_of(model_.study, reference->name);
@@ -102,6 +107,13 @@ void TurnWatch::note_relations(const step::State& now) {
         model::largest_small_angle, turn * turn / 2, remedy_for(model_.study)));
     return true;
   });
+}
+
+std::vector<results::Plausibility> TurnWatch::checks() const {
+  if (!any_)
+    return {};
+  return {{"relation_rotation", largest_.turn, model::largest_small_angle, largest_.t, largest_.where, "",
+           largest_.turn > model::largest_small_angle}};
 }
 
 } // namespace rubato::run

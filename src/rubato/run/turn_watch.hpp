@@ -5,9 +5,11 @@
 #include "rubato/model/fwd.hpp"
 #include "rubato/model/references.hpp"
 #include "rubato/model/springs.hpp"
+#include "rubato/results/plausibility.hpp"
 #include "rubato/run/watch.hpp"
 #include "rubato/step/state.hpp"
 
+#include <string>
 #include <vector>
 
 namespace rubato::run {
@@ -22,8 +24,16 @@ public:
   TurnWatch(const model::Model& model, const Watch& watch);
 
   void note(const step::State& now);
+  /// None without such relations and connectors.
+  std::vector<results::Plausibility> checks() const;
 
 private:
+  struct Largest {
+    double turn = 0; ///< [radians]; of what has turned too far, where that was found
+    double t = 0;
+    std::string where;
+  };
+
   void note_relations(const step::State& now);
   void note_connectors(const step::State& now);
 
@@ -31,6 +41,8 @@ private:
   const Watch& watch_;
   std::vector<const model::Reference*> watched_;
   std::vector<const model::ConnectorWay*> ways_;
+  Largest largest_;
+  bool any_ = false;
 };
 
 } // namespace rubato::run

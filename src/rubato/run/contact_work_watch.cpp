@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/run/contact_work_watch.hpp"
+
+#include "rubato/contact/zone.hpp"
+#include "rubato/model/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubato::run {
+namespace {
+
+/// Of the largest energy.
+constexpr double work_across_gaps_limit = 2e-2;
+
+/// Whether gaps change by the motion of bodies alone, and nothing is stored in them.
+bool is_moved_by_bodies(const contact::Zone& zone) {
+  return study::entry_of(zone.settings.method).exact && !zone.settings.tie && !zone.offset.moves() &&
+         !(zone.obstacle && zone.obstacle->moves());
+}
+
+/// What the pressures of a zone take in a step, if they act along its gaps.
+double taken_along_gaps(const contact::ZoneState& before, const contact::ZoneState& now) {
+  double taken = 0;
+  for (std::size_t i = 0; i < now.outcomes.size(); ++i) {
+    const auto& from = before.outcomes[i];
+    const auto& to = now.outcomes[i];
+    const double force = contact::pressing_force(from) + contact::pressing_force(to);
+    if (force != 0 && std::isfinite(from.gap) && std::isfinite(to.gap))
+      taken -= 0.5 * force * (to.gap - from.gap);
+  }
+  return taken;
+}
+
+} // namespace
+
+ContactWorkWatch::ContactWorkWatch(const model::Model& model)
+    : model_(model), applies_(model.study.time.scheme == study::SchemeKind::static_steps &&
+                              !model.zones.empty() && std::ranges::all_of(model.zones, is_moved_by_bodies)) {}
+
+void ContactWorkWatch::note(const step::State& before, const step::State& now,
+                            const step::EnergyLedger& ledger) {
+  if (!applies_)
+    return;
+  for (std::size_t z = 0; z < now.zones.size(); ++z)
+    along_gaps_ += taken_along_gaps(before.zones[z], now.zones[z]);
+  largest_ = std::max(largest_, ledger.largest());
+  const double across = std::abs(ledger.impact - ledger.overlap_work - along_gaps_);
+  if (across <= across_)
+    return;
+  across_ = across;
+  t_ = now.t;
+}
+
+std::vector<results::Plausibility> ContactWorkWatch::checks() const {
+  if (!applies_ || !(largest_ > 0))
+    return {};
+  return {{"contact_work", across_ / largest_, work_across_gaps_limit, t_, "",
+           "pressures did this part of the largest energy as work across their gaps, as a drag or a pull "
+           "without friction; expected shorter steps, finer faces or the other side as slave"}};
+}
+
+} // namespace rubato::run

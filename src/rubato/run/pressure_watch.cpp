@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/run/pressure_watch.hpp"
+
+#include "rubato/cell/topology.hpp"
+#include "rubato/contact/nodal_pressure.hpp"
+#include "rubato/contact/zone.hpp"
+#include "rubato/model/model.hpp"
+#include "rubato/model/node_label.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <string>
+
+namespace rubato::run {
+namespace {
+
+using contact::Zone;
+
+/// In shortest edges.
+constexpr double closed_gap_limit = 1e-2;
+/// A point that the motion opens and closes stays open, or closed, for some steps.
+constexpr double changes_limit = 8;
+/// Of the largest pressure.
+constexpr double oscillation_limit = 0.1;
+
+constexpr std::array<std::array<std::uint8_t, 2>, 1> only_edge{{{0, 1}}};
+
+bool is_exact(const Zone& zone) {
+  return study::entry_of(zone.settings.method).exact && !zone.settings.tie;
+}
+
+/// Of each slave node, those beside it along edges of faces, mid-edge nodes between corners; of a node inside
+/// a face the nodes of its edges.
+std::vector<std::vector<int>> neighbours_of(const contact::Surface& surface) {
+  std::vector<std::vector<int>> around(surface.nodes.size());
+  const auto join = [&](int i, int j) {
+    auto& of_i = around[static_cast<std::size_t>(i)];
+    if (std::ranges::find(of_i, j) == of_i.end()) {
+      of_i.push_back(j);
+      around[static_cast<std::size_t>(j)].push_back(i);
+    }
+  };
+  for (const auto& face : surface.faces) {
+    const auto nodes = face.position_span();
+    const auto& topology = cell::topology(face.type);
+    const auto edges = face.type == CellType::seg2 || face.type == CellType::seg3
+                           ? std::span<const std::array<std::uint8_t, 2>>(only_edge)
+                           : topology.edges;
+    const auto corners = static_cast<std::size_t>(topology.corner_count);
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      const int from = nodes[edges[e][0]], to = nodes[edges[e][1]];
+      if (topology.order == 1) {
+        join(from, to);
+        continue;
+      }
+      join(from, nodes[corners + e]);
+      join(nodes[corners + e], to);
+      if (nodes.size() > corners + edges.size())
+        join(nodes[corners + e], nodes.back());
+    }
+  }
+  return around;
+}
+
+/// Of every node inside the surface whose neighbours are pressed as it is, its pressure above their mean; NaN
+/// of others.
+std::vector<double> bumps_of(const contact::Surface& surface, const std::vector<double>& pressure,
+                             const std::vector<std::vector<int>>& around) {
+  std::vector<double> bumps(pressure.size(), NAN);
+  for (std::size_t i = 0; i < pressure.size(); ++i) {
+    if (!(pressure[i] > 0) || surface.at_edge[i] != 0 || around[i].empty())
+      continue;
+    double sum = 0;
+    const bool inner = std::ranges::all_of(around[i], [&](int j) {
+      sum += pressure[static_cast<std::size_t>(j)];
+      return pressure[static_cast<std::size_t>(j)] > 0;
+    });
+    if (inner)
+      bumps[i] = pressure[i] - sum / static_cast<double>(around[i].size());
+  }
+  return bumps;
+}
+
+/// How far pressures swing about their means at a node, where all neighbours that have bumps, at least two,
+/// have them on the other side.
+double swing_at(std::size_t node, const std::vector<double>& bumps,
+                const std::vector<std::vector<int>>& around) {
+  double sum = 0;
+  int count = 0;
+  for (const int j : around[node]) {
+    const double other = bumps[static_cast<std::size_t>(j)];
+    if (std::isnan(other))
+      continue;
+    if (!(bumps[node] * other < 0))
+      return 0;
+    sum += std::abs(other);
+    ++count;
+  }
+  return count < 2 ? 0 : std::min(std::abs(bumps[node]), sum / count);
+}
+
+} // namespace
+
+PressureWatch::PressureWatch(const model::Model& model) : model_(model) {
+  for (const auto& zone : model.zones) {
+    const bool exact = is_exact(zone);
+    any_exact_ = any_exact_ || exact;
+    changes_.emplace_back(exact ? zone.points.size() : 0, std::uint16_t{0});
+    around_.push_back(exact ? neighbours_of(zone.slave) : std::vector<std::vector<int>>());
+  }
+}
+
+void PressureWatch::note(const step::State& before, const step::State& now) {
+  for (std::size_t z = 0; z < changes_.size(); ++z) {
+    const auto& outcomes = now.zones[z].outcomes;
+    const double edge = model_.zones[z].edge();
+    for (std::size_t i = 0; i < changes_[z].size(); ++i) {
+      const bool touched = before.zones[z].status[i] != contact::Status::open;
+      const bool touches = now.zones[z].status[i] != contact::Status::open;
+      auto& changes = changes_[z][i];
+      changes = touches != touched ? static_cast<std::uint16_t>(std::min(changes + 1, 0xffff)) : 0;
+      if (changes > changing_.value)
+        changing_ = {static_cast<double>(changes), now.t, z, model_.zones[z].points[i].nodes.front()};
+      if (!touches || !(outcomes[i].pressure > 0))
+        continue;
+      if (const double gap = std::abs(outcomes[i].gap) / edge; gap > gap_.value)
+        gap_ = {gap, now.t, z, model_.zones[z].points[i].nodes.front()};
+    }
+  }
+}
+
+void PressureWatch::note_pressures(const step::State& now) {
+  for (std::size_t z = 0; z < around_.size(); ++z) {
+    if (around_[z].empty())
+      continue;
+    const auto& zone = model_.zones[z];
+    const auto pressure = contact::nodal_pressure(zone, now.zones[z]);
+    const double peak = *std::ranges::max_element(pressure);
+    const auto bumps = bumps_of(zone.slave, pressure, around_[z]);
+    for (std::size_t i = 0; i < bumps.size(); ++i)
+      if (const double size = swing_at(i, bumps, around_[z]) / peak; size > oscillation_.value)
+        oscillation_ = {size, now.t, z, zone.slave.nodes[i]};
+  }
+}
+
+std::string PressureWatch::place_of(const Worst& worst) const {
+  return worst.node < 0 ? ""
+                        : fmt::format("contact.{} at node {}", model_.zones[worst.zone].settings.name,
+                                      model::node_label(model_.mesh, worst.node));
+}
+
+std::vector<results::Plausibility> PressureWatch::checks() const {
+  if (!any_exact_)
+    return {};
+  return {{"closed_gaps", gap_.value, closed_gap_limit, gap_.t, place_of(gap_),
+           "a point that presses is not closed, by this part of an edge; expected a smaller "
+           "'convergence.gap' or shorter steps"},
+          {"alternating_points", changing_.value, changes_limit, changing_.t, place_of(changing_),
+           "the point opens and closes in so many steps in a row; expected a shorter step, or 'scheme: hht'"},
+          {"pressure_oscillation", oscillation_.value, oscillation_limit, oscillation_.t,
+           place_of(oscillation_),
+           "pressures of neighbours lie above and below their means by this part of the peak; expected a "
+           "finer slave, the other side as slave, or a formulation that keeps volume without locking"}};
+}
+
+} // namespace rubato::run
