@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rubato::run {
 namespace {
@@ -45,7 +46,10 @@ void ContactWorkWatch::note(const step::State& before, const step::State& now,
   for (std::size_t z = 0; z < now.zones.size(); ++z)
     along_gaps_ += taken_along_gaps(before.zones[z], now.zones[z]);
   largest_ = std::max(largest_, ledger.largest());
-  const double across = std::abs(ledger.impact - ledger.overlap_work - along_gaps_);
+  const double taken = ledger.impact - ledger.overlap_work - along_gaps_;
+  if (std::exchange(first_, false) && before.t > model_.study.time.begin)
+    taken_before_ = taken;
+  const double across = std::abs(taken - taken_before_);
   if (across <= across_)
     return;
   across_ = across;

@@ -26,10 +26,12 @@ public:
 private:
   const model::Model& model_;
   bool applies_ = false;
-  double along_gaps_ = 0; ///< so far [force · length]
-  double across_ = 0;     ///< the largest magnitude [force · length]
-  double largest_ = 0;    ///< energy [force · length]
+  double along_gaps_ = 0;   ///< so far [force · length]
+  double taken_before_ = 0; ///< across gaps, by the end of the first step of a run that is resumed
+  double across_ = 0;       ///< the largest magnitude [force · length]
+  double largest_ = 0;      ///< energy [force · length]
   double t_ = 0;
+  bool first_ = true;
 };
 
 } // namespace rubato::run

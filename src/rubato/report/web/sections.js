@@ -87,6 +87,11 @@
     for (const check of summary.checks || []) if (!check.holds) problem(`The check of ${check.quantity} at ${number(check.at)} fails.`);
     for (const text of warnings) column.append(element("p", { class: "note", text }));
     if (!column.querySelector(".problem, .note")) column.append(element("p", { text: "None." }));
+    const own = summary.plausibility ?? [];
+    if (own.length > 0)
+      column.append(element("h3", { text: `Checks of the run itself: ${own.filter((one) => one.passes).length} of ${own.length} passed` }),
+        element("div", { class: "scroll" }, R.table(["check", "value#", "limit#", "passes", "at#", "where"],
+          own.map((one) => [one.check.replaceAll("_", " "), number(one.value, 3), number(one.limit, 3), one.passes ? "yes" : "no", number(one.t), one.where]))));
   });
 
   R.showStudy = (place) => eachRun(place, (column, run) => {

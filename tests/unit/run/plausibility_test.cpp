@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Checks that a run makes of itself: their values against closed forms, and studies that pass and fail each.
+#include "rubato/deck/read.hpp"
+#include "rubato/results/plausibility.hpp"
+#include "rubato/run/run_study.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "support/scratch_folder.hpp"
+#include "support/two_blocks.hpp"
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace rubato::run::plausibility_test {
+namespace {
+
+using results::Plausibility;
+
+struct Checked {
+  std::vector<Plausibility> checks;
+  std::vector<std::string> warned, said;
+
+  const Plausibility* find(const std::string& name) const {
+    const auto found = std::ranges::find(checks, name, &Plausibility::name);
+    return found == checks.end() ? nullptr : &*found;
+  }
+  double value(const std::string& name) const {
+    const auto* const check = find(name);
+    EXPECT_NE(check, nullptr) << name;
+    return check == nullptr ? NAN : check->value;
+  }
+};
+
+class OwnChecks : public testing::Test {
+protected:
+  Checked run(const std::string& deck, const std::vector<deck::Setting>& changes = {}) {
+    Checked found;
+    Watch watch;
+    watch.say = [&](const std::string& text) { found.said.push_back(text); };
+    watch.warn = [&](const std::string& text) { found.warned.push_back(text); };
+    const auto study = deck::parse_deck(deck, "deck.yaml", changes).runs.front();
+    const auto result = run_study(study, folder_ / "out", watch);
+    EXPECT_EQ(result.status, Status::complete) << result.message;
+    found.checks = result.plausibility;
+    return found;
+  }
+  nlohmann::json summary() const {
+    std::ifstream file(folder_ / "out/run.json");
+    return nlohmann::json::parse(file);
+  }
+
+  test::ScratchFolder folder_;
+};
+
+TEST_F(OwnChecks, PassWhereNothingIsWrongAndAreInTheSummary) {
+  const auto found = run(test::two_blocks);
+  EXPECT_TRUE(found.warned.empty()) << found.warned.front();
+  EXPECT_EQ(found.said.back(), fmt::format("run: {0} of {0} checks passed", found.checks.size()));
+  const auto json = summary().at("plausibility");
+  ASSERT_EQ(json.size(), found.checks.size());
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    EXPECT_EQ(json[i].at("check"), found.checks[i].name);
+    EXPECT_EQ(json[i].at("value"), found.checks[i].value);
+    EXPECT_EQ(json[i].at("passes"), true);
+  }
+}
+
+/// A cell that stretches as a mass on a spring: k = E, half its mass moves; units of length, time and force.
+std::string oscillator(double step, double steps, double unit = 1) {
+  return fmt::format(R"(
+mesh: {{generate: [{{name: cell, rectangle: {{from: [0, 0], to: [{0:g}, {0:g}]}}, divisions: [1, 1], cells: quad4, sides: {{left: held, right: free}}}}]}}
+physics: plane_strain
+materials: {{m: {{young: {1:g}, poisson: 0, density: {2:g}}}}}
+supports: [{{on: held, fix: [x, y]}}, {{on: free, fix: [y]}}]
+initial: [{{on: free, velocity: {{x: {3:g}}}}}]
+time: {{scheme: newmark, step: {4:.17g}, end: {5:.17g}}}
+)",
+                     unit, 1 / unit / unit, 3 / unit / unit / unit / unit, 1e-3 * unit, step, steps * step);
+}
+
+/// Newmark's frequency is (2/h) atan(ω h/2), with ω² = E/(ρ/3) = 1; differences of velocities show 2 sin of
+/// half its phase. Shear waves pass the cell in √(2ρ/E).
+TEST_F(OwnChecks, CompareStepsAndCellsWithThePeriod) {
+  for (const double step : {0.02, 0.3, 1.2, 30.}) {
+    const double ratio = 2 * std::sin(std::atan(step / 2)) / (2 * std::numbers::pi);
+    const double steps_in_period = std::numbers::pi / std::atan(step / 2);
+    const auto found = run(oscillator(step, std::round(8 * steps_in_period)));
+    EXPECT_NEAR(found.value("step_in_period"), ratio, 0.03 * ratio) << step;
+    EXPECT_NEAR(found.value("cell_in_wave"), ratio / step * std::sqrt(6), 0.03 * ratio / step * std::sqrt(6));
+    EXPECT_EQ(found.find("step_in_period")->passes(), ratio < 0.25) << step;
+  }
+}
+
+/// Rows on a tie whose sides are g apart: shear acts on both, so the moment is shear times g; a side is as
+/// long as 1.
+TEST_F(OwnChecks, TellHowFarForcesOfBothSidesStandBesideOneAnother) {
+  const auto tied = [](double gap) {
+    return fmt::format(R"(
+mesh: {{generate: [{{name: a, rectangle: {{from: [0, 0], to: [4, 1]}}, divisions: [4, 1], sides: {{bottom: ground, top: low}}}},
+ {{name: b, rectangle: {{from: [0, {0:g}], to: [4, {1:g}]}}, divisions: [4, 1], sides: {{bottom: high, top: moved}}}}]}}
+physics: plane_strain
+materials: {{m: {{young: 1000, poisson: 0}}}}
+functions: {{r: {{ramp: [0, 1]}}}}
+supports: [{{on: ground, fix: [x, y]}}, {{on: moved, y: 0, x: {{value: 0.01, function: r}}}}]
+contact: {{weld: {{slave: high, master: low, tie: true}}}}
+time: {{scheme: static, step: 0.5, end: 1}}
+)",
+                       1 + gap, 2 + gap);
+  };
+  EXPECT_LT(run(tied(0)).value("contact_moment"), 1e-3);
+  for (const double gap : {0.05, 0.4}) {
+    const auto found = run(tied(gap));
+    EXPECT_NEAR(found.value("contact_moment"), gap, 1e-6);
+    const bool fails = gap > 0.1;
+    EXPECT_EQ(found.warned.size(), fails ? 1U : 0U);
+    if (fails)
+      EXPECT_NE(found.warned.front().find("contact_moment is"), std::string::npos) << found.warned.front();
+    if (fails)
+      EXPECT_NE(found.warned.front().find("of contact.weld"), std::string::npos) << found.warned.front();
+    EXPECT_LT(found.value("contact_forces"), 1e-12);
+  }
+}
+
+/// A block whose chamfered end is dragged over a rail: the slave's normal at its edge has a part along the
+/// rail.
+TEST_F(OwnChecks, TellContactThatDragsWithoutFriction) {
+  const auto dragged = [](const std::string& zone) {
+    return fmt::format(R"(
+mesh: {{generate: [{{name: b, rectangle: {{from: [0, 2], to: [3, 3]}}, divisions: [3, 1], sides: {{bottom: sole, top: held}}}},
+ {{name: t, rectangle: {{from: [-2, 0], to: [9, 2]}}, divisions: [22, 2], sides: {{top: rail, bottom: ground}}}}]}}
+physics: plane_strain
+materials: {{s: {{young: 1000, poisson: 0.3}}}}
+functions: {{turn: {{ramp: [0, 0.1]}}, press: {{ramp: [0.1, 0.2]}}, go: {{ramp: [0.2, 1.2]}}}}
+supports: [{{on: ground, fix: [x, y]}}, {{on: held, rotate: {{about: [0, 3], angle: {{value: 0.03, function: turn}}}}, y: {{value: -0.02, function: press}}, x: {{value: 3, function: go}}}}]
+contact: {{j: {{slave: sole, master: rail, {}}}}}
+time: {{scheme: static, step: 0.02, end: 1.2}}
+)",
+                       zone);
+  };
+  const auto smooth = run(dragged("integration: mortar"));
+  EXPECT_LT(smooth.value("contact_work"), 0.02);
+  const auto rough = run(dragged("normal: slave, integration: nodes"));
+  EXPECT_GT(rough.value("contact_work"), 0.1);
+  EXPECT_TRUE(std::ranges::any_of(
+      rough.warned, [](const auto& text) { return text.find("contact_work is") != std::string::npos; }));
+}
+
+/// Small strain gives a bent cantilever that turns by θ a moment of internal forces; finite strain none.
+TEST_F(OwnChecks, TellMomentsOfBodiesThatTurn) {
+  const auto bent = [](const std::string& strain, double force) {
+    return fmt::format(R"(
+mesh: {{generate: [{{name: a, rectangle: {{from: [0, 0], to: [10, 1]}}, divisions: [10, 2], cells: quad8, sides: {{left: root, right: tip}}}}]}}
+physics: plane_stress
+materials: {{s: {{young: 1000, poisson: 0, strain: {0}}}}}
+functions: {{r: {{ramp: [0, 1]}}}}
+supports: [{{on: root, fix: [x, y]}}]
+loads: [{{nodal_force: {{on: tip, x: {1:g}, y: {1:g}, function: r}}}}]
+time: {{scheme: static, step: 0.25, end: 1}}
+)",
+                       strain, force);
+  };
+  EXPECT_LT(run(bent("green_lagrange", 0.5)).value("body_moments"), 1e-8);
+  const auto small = run(bent("small", 0.01)).value("body_moments");
+  const auto large = run(bent("small", 0.5)).value("body_moments");
+  EXPECT_NEAR(large / small, 50, 5);
+  EXPECT_GT(large, 0.05);
+}
+
+/// Rubber in quadratic cells that are integrated in full, under a roller.
+TEST_F(OwnChecks, TellPressuresThatOscillate) {
+  const auto pressed = [](const std::string& cells, const std::string& formulation) {
+    return fmt::format(R"(
+mesh: {{generate: [{{name: a, rectangle: {{from: [-4, 0], to: [4, 3]}}, divisions: [24, 9], cells: {}, sides: {{bottom: ground, top: face}}}}]}}
+physics: plane_strain
+materials: {{s: {{law: hyperelastic, c10: 0.5, bulk: 1000, formulation: {}}}}}
+functions: {{r: {{ramp: [0, 1]}}}}
+supports: [{{on: ground, fix: [x, y]}}]
+contact: {{z: {{slave: face, obstacle: {{cylinder: {{point: [0, 8], radius: 5}}, move: {{y: {{value: -0.3, function: r}}}}}}}}}}
+time: {{scheme: static, step: 0.25, end: 1}}
+)",
+                       cells, formulation);
+  };
+  EXPECT_LT(run(pressed("quad4", "mean_dilatation")).value("pressure_oscillation"), 0.05);
+  const auto rough = run(pressed("quad8", "full"));
+  EXPECT_GT(rough.value("pressure_oscillation"), 0.1);
+  EXPECT_NE(rough.find("pressure_oscillation")->where.find("contact.z at node"), std::string::npos);
+}
+
+TEST(Plausibility, KeepsTheLargerOfTwoPartsOfARun) {
+  std::vector<Plausibility> all{{"a", 1, 2, 0.5, "x", "", false}, {"b", 3, 2, 0.5, "y", "", false}};
+  const std::vector<Plausibility> more{
+      {"a", 1.5, 2, 1, "z", "", false}, {"b", 2, 2, 1, "z", "", false}, {"c", NAN, 1, 1, "", "", false}};
+  results::keep_larger(all, more);
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(all[0].where, "z");
+  EXPECT_EQ(all[1].where, "y");
+  EXPECT_FALSE(all[2].passes());
+  EXPECT_EQ(results::summary_of(all), "1 of 3 checks passed, not b (3, at most 2) and c (nan, at most 1)");
+}
+
+TEST(Plausibility, ComesBackFromJsonToTheLastBit) {
+  const std::vector<Plausibility> checks{
+      {"a", 1. / 3, 0.1, 1e-3 / 7, "contact.z at node N1", "expected 'x'", true},
+      {"b", 0, 1, 0, "", "", false}};
+  EXPECT_EQ(results::plausibility_of(results::plausibility_json(checks)), checks);
+}
+
+} // namespace
+} // namespace rubato::run::plausibility_test
