@@ -64,6 +64,8 @@ template <> struct Description<ContactZone> {
       Member{"normal", &ContactZone::normal, "whose normals count"},
       Member{"clamped_normal", &ContactZone::clamped_normal, "of points beside the end of the master"},
       Member{"integration", &ContactZone::integration, "where contact points stand"},
+      Member{"projection_tolerance", &ContactZone::projection_tolerance,
+             "how far outside a master face points still face it, in its reference lengths; None: a quarter of it"},
       Member{"exclude_nodes", &ContactZone::exclude_nodes, "groups or nodes that are no contact points"},
       Member{
           "normal_coefficient", &ContactZone::normal_coefficient,

@@ -38,7 +38,7 @@ materials: {{steel: {{young: 200e9, poisson: 0.3, expansion: 1.2e-5}}}}
 functions: {{grows: {{ramp: {{begin: 0, end: 1}}}}}}
 temperature: [{{on: Bas, value: 0}}, {{on: Haut, value: "{}", function: grows}}]
 supports: [{{on: Haut_Encastre, fix: [x, y{}]}}, {{on: Bas_Encastre, fix: [x, y{}]}}]
-contact: {{interface: {{master: Haut_Contact, slave: Bas_Contact, integration: nodes, friction: {},
+contact: {{interface: {{master: Haut_Contact, slave: Bas_Contact, integration: nodes, projection_tolerance: 0.5, friction: {},
   exclude_nodes: [Bas_Encastre]}}}}
 newton: {{residual: 1e-10}}
 time: {{scheme: static, instants: {}}}

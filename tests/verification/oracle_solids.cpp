@@ -75,7 +75,7 @@ materials: {{steel: {{young: 200e9, poisson: 0.3, density: 7800, formulation: fu
 functions: {{course: {}}}
 supports: [{{on: Haut_Encastre, fix: [x, y{}]}}, {{on: Bas_Encastre, fix: [x, y{}]}}]
 loads: [{{{}: {{on: {}, y: {:g}, function: course}}}}]
-contact: {{interface: {{master: Haut_Contact, slave: Bas_Contact, integration: nodes, friction: 0.2,
+contact: {{interface: {{master: Haut_Contact, slave: Bas_Contact, integration: nodes, projection_tolerance: 0.5, friction: 0.2,
   exclude_nodes: [Bas_Encastre]}}}}
 newton: {{residual: 1.0e-9}}
 time: {{scheme: hht, alpha: -0.3, start: at_rest_unloaded, instants: {}}}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/pairing.hpp"
 
+#include "rubato/cell/topology.hpp"
 #include "rubato/contact/point_tree.hpp"
 #include "rubato/contact/small_vectors.hpp"
 #include "rubato/core/tolerances.hpp"
@@ -73,9 +74,19 @@ void consider(const Zone& zone, int face_index, const Vector3d& point, std::span
     best = candidate;
 }
 
+/// Of an edge of the reference face.
+double reference_length(CellType type) {
+  return cell::topology(type).corner_count == 3 ? 1 : 2;
+}
+
 /// Unpaired where there is no face, or the projection lies too far outside it.
-Pair pair_of(const Candidate& best) {
-  if (best.face < 0 || !(best.projection.overshoot <= tolerances.paired_overshoot))
+Pair pair_of(const Zone& zone, const Candidate& best) {
+  if (best.face < 0)
+    return {};
+  const auto type = zone.master.faces[static_cast<std::size_t>(best.face)].type;
+  const double allowed =
+      zone.settings.projection_tolerance.value_or(tolerances.paired_overshoot * reference_length(type));
+  if (!(best.projection.overshoot <= allowed))
     return {};
   return {best.face, best.projection};
 }
@@ -92,7 +103,7 @@ Pair pair_around(const Zone& zone, std::size_t node, const Vector3d& x, std::spa
   for (const int face : faces)
     if (!guessed || face != guess)
       consider(zone, face, x, master, best);
-  return pair_of(best);
+  return pair_of(zone, best);
 }
 
 Pair pair_among(const Zone& zone, std::span<const int> faces, const Vector3d& x,
@@ -100,7 +111,7 @@ Pair pair_among(const Zone& zone, std::span<const int> faces, const Vector3d& x,
   Candidate best;
   for (const int face : faces)
     consider(zone, face, x, master, best);
-  return pair_of(best);
+  return pair_of(zone, best);
 }
 
 Pair pair_on(const Zone& zone, int face, const Vector3d& x, std::span<const Vector3d> master) {

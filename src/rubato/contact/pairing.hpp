@@ -22,7 +22,8 @@ struct Pair {
 
 /// The projection of each slave point: the faces around the nearest master node are tried; one that holds the
 /// orthogonal projection precedes any that doesn't, then the shortest distance wins, of equal ones the first
-/// face. A point whose projection lies more than half a reference length outside the face it got is unpaired.
+/// face. A point whose projection lies farther outside the face it got than the zone allows is unpaired
+/// (study::ContactZone::projection_tolerance).
 std::vector<Pair> find_pairs(const Zone& zone, const Configuration& configuration);
 
 /// The same for one point at `x`; `master` tells where the master's nodes are, `node` which of them is

@@ -27,8 +27,8 @@ struct Tolerances {
   /// Penetration below which an open point stays open: rounding makes that much. In edges.
   double closing_gap = 1e-11;
   double touching_gap = 1e-9; ///< below which a point touches when a step of velocities begins, in edges
-  /// How far outside its face a point still faces it, in reference lengths (Code_Aster's TOLE_PROJ_EXT).
-  double paired_overshoot = 0.5;
+  /// How far outside its face a point still faces it, in parts of the face, where the zone does not say.
+  double paired_overshoot = 0.25;
   /// Beyond which a point held on a face is released, likewise. Places are settled to that.
   double released_overshoot = 1e-6;
 

@@ -172,6 +172,7 @@ study::ContactZone read_zone(const NamedValue& entry, const Context& context) {
     read_touching(map, context, known, zone);
   zone.integration = study::usual_integration(zone, context.scheme.value_or(study::TimeStepping{}.scheme));
   read_integration(map.find("integration"), zone.integration);
+  read(map.find("projection_tolerance"), zone.projection_tolerance);
   read_names(map.find("exclude_nodes"), zone.exclude_nodes);
   read(map.find("history_force"), zone.history_force);
   map.finish();

@@ -39,7 +39,7 @@ struct Cause {
 
 /// Whatever gave most first. What steps give in finite strain feeds high frequencies, which schemes without
 /// damping keep.
-std::string causes_of(const step::EnergyLedger& ledger) {
+std::string causes_of(const step::EnergyLedger& ledger, const std::string& giver) {
   const double impact = ledger.impact;
   const double scheme = ledger.numerical;
   const double strain = ledger.bulk_scheme;
@@ -48,7 +48,8 @@ std::string causes_of(const step::EnergyLedger& ledger) {
     causes.push_back({scheme, scheme < 0 ? fmt::format("the time scheme gave {:.3g}", -scheme)
                                          : fmt::format("the time scheme took {:.3g}", scheme)});
   if (impact < 0 || (scheme == 0 && strain >= 0))
-    causes.push_back({impact, fmt::format("contact pressures gave {:.3g} more than they took", -impact)});
+    causes.push_back({impact, fmt::format("contact pressures{} gave {:.3g} more than they took",
+                                          giver.empty() ? "" : " of " + giver, -impact)});
   if (strain < 0)
     causes.push_back(
         {strain, fmt::format("steps too long for finite strain gave {:.3g} (bulk_scheme)", -strain)});
@@ -71,9 +72,10 @@ const char* cause_of(const step::EnergyRecord& record) {
 
 } // namespace
 
-void EnergyWatch::note(double t, const step::EnergyLedger& ledger) {
+void EnergyWatch::note(double t, const step::EnergyLedger& ledger, const std::string& giver) {
   record_.note(t, ledger);
   now_ = ledger;
+  giver_ = giver;
   note_hourglasses(t);
   if (gained(ledger) <= std::max(worth_a_warning * record_.largest, ledger.rounding)) {
     gained_for_ = 0;
@@ -108,7 +110,7 @@ void EnergyWatch::warn(const std::string& when) {
   const double gain = gained(now_);
   gain_part_ = gain / record_.largest;
   watch_.warn(fmt::format("{}: energy gained {}: {:.3g}, {:.2g} of the largest energy; {}", run_, when, gain,
-                          gain / record_.largest, causes_of(now_)));
+                          gain / record_.largest, causes_of(now_, giver_)));
 }
 
 void EnergyWatch::tell() {

@@ -20,7 +20,8 @@ public:
   EnergyWatch(const std::string& run, const Watch& watch, const step::EnergyRecord& record)
       : run_(run), watch_(watch), record_(record) {}
 
-  void note(double t, const step::EnergyLedger& ledger);
+  /// `giver`: "contact.z" of the zone whose pressures have given most, or empty.
+  void note(double t, const step::EnergyLedger& ledger, const std::string& giver = "");
   /// At the end of the run.
   void tell();
   const step::EnergyRecord& record() const { return record_; }
@@ -35,6 +36,7 @@ private:
   const Watch& watch_;
   step::EnergyRecord record_;
   step::EnergyLedger now_;
+  std::string giver_;
   double gained_since_ = 0;
   int gained_for_ = 0; ///< instants in a row at which the gain was worth a warning
   bool warned_ = false;

@@ -27,6 +27,7 @@ inline constexpr Range point_mass = at_least(0);
 inline constexpr Range inertia = at_least(0);
 inline constexpr Range friction = at_least(0);
 inline constexpr Range restitution = from_to(0, 1);
+inline constexpr Range projection_tolerance = from_to(0, 1);
 inline constexpr Range tangential = above(0);
 inline constexpr Range radius = above(0);
 inline constexpr Range loop_tolerance = between(0, 1);

@@ -340,6 +340,7 @@ Json echo(const ContactZone& zone, Physics physics) {
     put_touching(map, zone);
   const std::string rule(entry_of(zone.integration.by).name);
   map["integration"] = zone.integration.order == 0 ? Json(rule) : Json{{rule, zone.integration.order}};
+  put_optional(map, "projection_tolerance", zone.projection_tolerance);
   map["exclude_nodes"] = zone.exclude_nodes;
   map["history_force"] = zone.history_force;
   return map;

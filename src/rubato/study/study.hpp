@@ -239,6 +239,9 @@ struct ContactZone {
   ContactNormal normal = ContactNormal::master;
   ClampedNormal clamped_normal = ClampedNormal::projection;
   ContactRule integration;
+  /// How far outside a master face a point may lie that still faces it, in reference lengths of the face: a
+  /// SEG or QUAD is 2 long, a TRIA 1. A quarter of a face when not given. Not of mortar.
+  std::optional<double> projection_tolerance;
   std::vector<std::string> exclude_nodes;
   /// Augmentation or penalty, as the method has it; chosen per point from the effective matrix when not
   /// given.

@@ -29,7 +29,7 @@ ZONE = {
     "DIST_MAIT": concept("Function"), "DIST_ESCL": concept("Function"), "DIST_POUTRE": words("NON"),
     "DIST_COQUE": words("NON"), "CARA_ELEM": harmless(),
     "TOLE_INTERP": harmless(), "SEUIL_INIT": harmless(), "CONTACT_INIT": harmless(), "COEF_CONT": real(),
-    "COEF_FROT": real(), "COEF_MATR_FROT": harmless(), "ADAPTATION": harmless(), "TOLE_PROJ_EXT": harmless(),
+    "COEF_FROT": real(), "COEF_MATR_FROT": harmless(), "ADAPTATION": harmless(), "TOLE_PROJ_EXT": real(0.5),
     "TOLE_PROJ_INT": harmless(), "DIST_APPA": harmless(), "TYPE_APPA": harmless(), "TYPE_JACOBIEN": harmless(),
     "GRAND_GLIS": harmless(), "PENE_MAXI": harmless(), "DIRE_APPA": harmless(), "COEF_REGU_CONT": harmless(),
     "COEF_REGU_FROT": harmless(), "ALARME_JEU": harmless(), "COEF_ECHELLE": harmless(),

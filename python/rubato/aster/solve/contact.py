@@ -188,6 +188,7 @@ def set_places(problem: Problem, given: Arguments, zone: Any, algorithm: str, sl
     if kind != "mortar":
         zone.normal = NORMALS[given.NORMALE]
         zone.clamped_normal = "code_aster"
+        zone.projection_tolerance = given.TOLE_PROJ_EXT
 
 
 def has_triangles(problem: Problem, faces: np.ndarray) -> bool:

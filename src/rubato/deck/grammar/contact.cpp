@@ -72,23 +72,27 @@ std::vector<Key> laws() {
 }
 
 std::vector<Key> geometry() {
-  return {{"interference",
-           "overlap that is taken from every gap [length], a number, an expression or a table",
-           varying(field_value())},
-          {"gap", "added to every gap of the mesh [length], a number, an expression or a table",
-           varying(field_value())},
-          {"normal", "surface that gives the normal; master when not given",
-           word_of(study::contact_normal_words)},
-          {"clamped_normal", "tangents where the projection lies outside the face; projection when not given",
-           word_of(study::clamped_normal_words)},
-          {"integration", "where contact points stand; mortar where it is possible when not given",
-           integration()},
-          {"freeze", "true: geometry of the undeformed bodies", truth()},
-          {"exclude_nodes", "slave nodes that are always open: nodes or groups", names()},
-          {"initially_active", "whether all points start closed where there is no prediction", truth()},
-          {"iterate", "how each level is solved", iterations()},
-          {"history_force",
-           "whether forces at the start of a step enter its equilibrium; true when not given", truth()}};
+  return {
+      {"interference", "overlap that is taken from every gap [length], a number, an expression or a table",
+       varying(field_value())},
+      {"gap", "added to every gap of the mesh [length], a number, an expression or a table",
+       varying(field_value())},
+      {"normal", "surface that gives the normal; master when not given",
+       word_of(study::contact_normal_words)},
+      {"clamped_normal", "tangents where the projection lies outside the face; projection when not given",
+       word_of(study::clamped_normal_words)},
+      {"integration", "where contact points stand; mortar where it is possible when not given",
+       integration()},
+      {"projection_tolerance",
+       "how far outside a master face points still face it, in reference lengths of the face; a quarter of "
+       "it when not given",
+       number(study::bounds::projection_tolerance)},
+      {"freeze", "true: geometry of the undeformed bodies", truth()},
+      {"exclude_nodes", "slave nodes that are always open: nodes or groups", names()},
+      {"initially_active", "whether all points start closed where there is no prediction", truth()},
+      {"iterate", "how each level is solved", iterations()},
+      {"history_force", "whether forces at the start of a step enter its equilibrium; true when not given",
+       truth()}};
 }
 
 Key radius() {

@@ -37,8 +37,13 @@ private:
   void check_place() {
     check_surfaces(rules_, zone_);
     rules_.names(at("exclude_nodes"), zone_.exclude_nodes);
+    if (zone_.projection_tolerance)
+      rules_.number(at("projection_tolerance"), *zone_.projection_tolerance, bounds::projection_tolerance);
     if (!zone_.obstacle)
       return;
+    if (zone_.projection_tolerance)
+      rules_.broken({at("projection_tolerance"), at("obstacle")},
+                    "found a projection_tolerance before an obstacle, which has no end, expected none");
     check_obstacle(rules_, zone_);
     if (zone_.normal != ContactNormal::master)
       rules_.broken({at("normal"), at("obstacle")},
@@ -189,6 +194,12 @@ private:
                     fmt::format("found {} with the integration {}, whose normals are those of the slave's "
                                 "nodes, expected no 'normal'",
                                 word_of(contact_normal_words, zone_.normal), rule.name));
+    if (!rule.chooses_normal && zone_.projection_tolerance)
+      rules_.broken(
+          {at("projection_tolerance"), at("integration")},
+          fmt::format("found a projection_tolerance with the integration {}, which takes what faces "
+                      "share, expected none",
+                      rule.name));
     if (!rule.chooses_normal && zone_.clamped_normal != ClampedNormal::projection)
       rules_.broken({at("clamped_normal"), at("integration")},
                     fmt::format("found {} with the integration {}, which clamps no projection, expected no "
