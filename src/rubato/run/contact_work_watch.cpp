@@ -4,8 +4,12 @@
 #include "rubato/contact/zone.hpp"
 #include "rubato/model/model.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <utility>
 
 namespace rubato::run {
@@ -37,16 +41,18 @@ double taken_along_gaps(const contact::ZoneState& before, const contact::ZoneSta
 
 ContactWorkWatch::ContactWorkWatch(const model::Model& model)
     : model_(model), applies_(model.study.time.scheme == study::SchemeKind::static_steps &&
-                              !model.zones.empty() && std::ranges::all_of(model.zones, is_moved_by_bodies)) {}
+                              !model.zones.empty() && std::ranges::all_of(model.zones, is_moved_by_bodies)),
+      along_gaps_(model.zones.size(), 0) {}
 
 void ContactWorkWatch::note(const step::State& before, const step::State& now,
                             const step::EnergyLedger& ledger) {
+  for (std::size_t z = 0; z < now.zones.size(); ++z)
+    along_gaps_[z] += taken_along_gaps(before.zones[z], now.zones[z]);
   if (!applies_)
     return;
-  for (std::size_t z = 0; z < now.zones.size(); ++z)
-    along_gaps_ += taken_along_gaps(before.zones[z], now.zones[z]);
   largest_ = std::max(largest_, ledger.largest());
-  const double taken = ledger.impact - ledger.overlap_work - along_gaps_;
+  const double taken = std::accumulate(along_gaps_.begin(), along_gaps_.end(),
+                                       ledger.impact - ledger.overlap_work, std::minus<>());
   if (std::exchange(first_, false) && before.t > model_.study.time.begin)
     taken_before_ = taken;
   const double across = std::abs(taken - taken_before_);
@@ -54,6 +60,14 @@ void ContactWorkWatch::note(const step::State& before, const step::State& now,
     return;
   across_ = across;
   t_ = now.t;
+}
+
+std::string ContactWorkWatch::giver() const {
+  const auto least = std::ranges::min_element(along_gaps_);
+  if (least == along_gaps_.end() || !(*least < 0))
+    return "";
+  const auto zone = static_cast<std::size_t>(least - along_gaps_.begin());
+  return fmt::format("contact.{}", model_.zones[zone].settings.name);
 }
 
 std::vector<results::Plausibility> ContactWorkWatch::checks() const {

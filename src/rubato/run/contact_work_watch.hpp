@@ -7,6 +7,7 @@
 #include "rubato/step/energy_ledger.hpp"
 #include "rubato/step/state.hpp"
 
+#include <string>
 #include <vector>
 
 namespace rubato::run {
@@ -20,16 +21,18 @@ public:
   explicit ContactWorkWatch(const model::Model& model);
 
   void note(const step::State& before, const step::State& now, const step::EnergyLedger& ledger);
+  /// "contact.z" of the zone whose pressures have given most along its gaps so far; empty where none has.
+  std::string giver() const;
   /// None of runs that are not static, without exact contact, or where obstacles or gaps move by themselves.
   std::vector<results::Plausibility> checks() const;
 
 private:
   const model::Model& model_;
   bool applies_ = false;
-  double along_gaps_ = 0;   ///< so far [force · length]
-  double taken_before_ = 0; ///< across gaps, by the end of the first step of a run that is resumed
-  double across_ = 0;       ///< the largest magnitude [force · length]
-  double largest_ = 0;      ///< energy [force · length]
+  std::vector<double> along_gaps_; ///< taken so far, by zone [force · length]
+  double taken_before_ = 0;        ///< across gaps, by the end of the first step of a run that is resumed
+  double across_ = 0;              ///< the largest magnitude [force · length]
+  double largest_ = 0;             ///< energy [force · length]
   double t_ = 0;
   bool first_ = true;
 };

@@ -70,7 +70,7 @@ void Watches::note(const step::State& before, const step::State& now, const step
 }
 
 void Watches::note_energy(double t, const step::EnergyLedger& ledger) {
-  energy_.note(t, ledger);
+  energy_.note(t, ledger, work_.giver());
 }
 
 std::vector<Plausibility> Watches::checks() const {
