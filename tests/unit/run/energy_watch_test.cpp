@@ -53,6 +53,19 @@ TEST_F(EnergyOfARun, IsNotWarnedOfWhatTheSchemeSoonTakesAgain) {
             "by the time scheme");
 }
 
+TEST_F(EnergyOfARun, NamesTheZoneWhosePressuresGave) {
+  step::EnergyLedger ledger;
+  ledger.external_work = 1000;
+  ledger.kinetic = 1050;
+  ledger.impact = -50;
+  for (int i = 0; i < 12; ++i)
+    energy_.note(++t_, ledger, "contact.joint");
+  ASSERT_EQ(warnings_.size(), 1u);
+  EXPECT_NE(warnings_[0].find("contact pressures of contact.joint gave 50 more than they took"),
+            std::string::npos)
+      << warnings_[0];
+}
+
 TEST_F(EnergyOfARun, IsWarnedOfOnceWhenHourglassesHoldMuchOfIt) {
   const auto note_hourglass = [&](double strain, double plastic, double hourglass) {
     step::EnergyLedger ledger;
