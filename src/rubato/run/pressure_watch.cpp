@@ -24,8 +24,9 @@ using contact::Zone;
 constexpr double closed_gap_limit = 1e-2;
 /// A point that the motion opens and closes stays open, or closed, for some steps.
 constexpr double changes_limit = 8;
-/// Of the largest pressure.
-constexpr double oscillation_limit = 0.1;
+/// Of the largest pressure. Few nodes under a narrow peak make 0.15, rubber in quadratic cells without averaged
+/// volume 0.65 to 0.83.
+constexpr double oscillation_limit = 0.2;
 
 constexpr std::array<std::array<std::uint8_t, 2>, 1> only_edge{{{0, 1}}};
 
