@@ -147,7 +147,9 @@ template <> struct Description<Material> {
       Member{"hyperelasticity", &Material::hyperelasticity, "hyperelastic, yeoh, ogden: their numbers"},
       Member{"strain", &Material::strain, "None: small, and green_lagrange of hyperelastic laws"},
       Member{"formulation", &Material::formulation,
-             "None: mean_dilatation of plastic and hyperelastic QUAD4, HEXA8 and PENTA6, else full"},
+             "None: mean_dilatation of plastic and hyperelastic cells, but not of TRIA3, TETRA4 and pyramids "
+             "and "
+             "not in plane stress, else full"},
       Member{"density", &Material::density, "at least 0 [mass/volume]; None: it has none"},
       Member{
           "in_place", &Material::in_place,

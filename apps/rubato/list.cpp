@@ -85,7 +85,7 @@ int list() {
   fmt::print("\nFormulations of cells (materials.NAME.formulation)\n");
   for (const auto& [name, summary] :
        {std::pair{"full", "every cell: all points of the rule"},
-        {"mean_dilatation", "QUAD4, HEXA8, PENTA6: the mean change of volume; plasticity, rubber"},
+        {"mean_dilatation", "all but TRIA3, TETRA4, pyramids: the mean change of volume; plasticity, rubber"},
         {"enhanced", "QUAD4, HEXA8: own modes of the cell; bending with few layers"}})
     fmt::print("  {:<31} {}\n", name, summary);
   fmt::print("\nMesh files\n");

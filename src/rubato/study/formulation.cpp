@@ -20,8 +20,15 @@ bool has_constant_stiffness(const Material& material) {
 }
 
 bool averages_dilatation(CellType type, Physics physics) {
-  return type == CellType::hexa8 || type == CellType::penta6 ||
-         (type == CellType::quad4 && physics != Physics::plane_stress);
+  switch (type) {
+  case CellType::tria3:
+  case CellType::tetra4:
+  case CellType::pyra5:
+  case CellType::pyra13:
+    return false;
+  default:
+    return physics != Physics::plane_stress;
+  }
 }
 
 namespace {

@@ -245,6 +245,53 @@ TEST(NonlinearCells, RememberWhatTheirPointsAndModesNeed) {
   EXPECT_LT((cell.force - force).norm(), 1e-12 * force.norm());
 }
 
+/// A cell of nine nodes on the shape of one with eight.
+OneCell of_nine_nodes(const OneCell& eight) {
+  CellKind kind = eight.kind;
+  kind.type = CellType::quad9;
+  OneCell nine(kind, eight.laws);
+  for (std::size_t i = 0; i < 8; ++i)
+    nine.points[i] = eight.points[i];
+  nine.points[8].setZero();
+  for (std::size_t i = 0; i < 8; ++i)
+    nine.points[8] += (i < 4 ? -0.25 : 0.5) * eight.points[i];
+  return nine;
+}
+
+/// Newton's method for a middle node without force.
+VectorXd with_free_middle(OneCell& nine, const VectorXd& u) {
+  VectorXd all(nine.dofs);
+  all << u, VectorXd::Zero(2);
+  for (int i = 0; i < 8; ++i) {
+    EXPECT_TRUE(nine.evaluate(all));
+    const Eigen::Matrix2d k = nine.tangent.bottomRightCorner<2, 2>();
+    const Eigen::Vector2d force = nine.force.tail<2>();
+    all.tail<2>() -= k.inverse() * force;
+  }
+  EXPECT_TRUE(nine.evaluate(all));
+  return all;
+}
+
+TEST(NonlinearCells, OfEightNodesWithABubbleAreThoseOfNineWithAFreeMiddle) {
+  for (const auto physics : {Physics::plane_strain, Physics::axisymmetric})
+    for (const auto strain : {StrainKind::small, StrainKind::green_lagrange, StrainKind::logarithmic}) {
+      const CellKind kind{CellType::quad8, {physics, 1}, strain, Formulation::mean_dilatation};
+      OneCell eight(kind, PointLaws(elastic));
+      OneCell nine = of_nine_nodes(eight);
+      const VectorXd u = some_displacement(eight);
+      const auto of_eight = eight.evaluate(u);
+      ASSERT_TRUE(of_eight) << name_of(kind);
+      const auto of_nine = nine.evaluate(with_free_middle(nine, u));
+      EXPECT_NEAR(of_eight.stored, of_nine.stored, 1e-12 * of_nine.stored) << name_of(kind);
+      EXPECT_LT((eight.force - nine.force.head(16)).norm(), 1e-10 * eight.force.norm()) << name_of(kind);
+      const Eigen::Matrix2d middle = nine.tangent.bottomRightCorner<2, 2>();
+      const MatrixXd side = nine.tangent.topRightCorner<16, 2>();
+      const MatrixXd condensed =
+          nine.tangent.topLeftCorner<16, 16>() - side * middle.inverse() * side.transpose();
+      EXPECT_LT((eight.tangent - condensed).norm(), 1e-10 * condensed.norm()) << name_of(kind);
+    }
+}
+
 TEST(NonlinearCells, TakeALawForEachPointAndLawsOfAVariant) {
   using Any = std::variant<ElasticLaw, PlasticLaw>;
   const CellKind kind{CellType::hexa8, {}, StrainKind::small, Formulation::full};
@@ -305,6 +352,8 @@ TEST(NonlinearCells, RefuseKindsThatAreNotOffered) {
   EXPECT_THROW(cell.evaluate(VectorXd::Zero(cell.dofs)), std::invalid_argument);
   EXPECT_FALSE(is_offered(
       {CellType::quad4, {Physics::plane_stress, 1}, StrainKind::small, Formulation::mean_dilatation}));
+  for (const auto type : {CellType::tetra4, CellType::pyra5, CellType::pyra13})
+    EXPECT_FALSE(is_offered({type, {}, StrainKind::small, Formulation::mean_dilatation}));
   EXPECT_FALSE(is_offered({CellType::hexa8, {}, StrainKind::logarithmic, Formulation::enhanced}));
   EXPECT_FALSE(is_offered({CellType::quad4, {}, StrainKind::small, Formulation::full}));
   EXPECT_FALSE(is_offered({CellType::hexa20, {}, StrainKind::small, Formulation::reduced}));

@@ -53,11 +53,24 @@ constexpr auto yielding =
 TEST(NotesOnFormulations, TellOfCellsThatKeepTheirVolume) {
   EXPECT_TRUE(says({.material = incompressible}, "its QUAD4 cells are too stiff, as Poisson's ratio 0.49"));
   EXPECT_TRUE(says({.material = incompressible}, "'formulation: mean_dilatation' cures it"));
-  EXPECT_TRUE(says({.material = incompressible, .cells = "tria3"}, "'mesh: {convert: quadratic}' cures it"));
+  EXPECT_TRUE(says({.material = incompressible, .cells = "tria3"},
+                   "'mesh: {convert: quadratic}' with 'formulation: mean_dilatation' cures it"));
   EXPECT_TRUE(says({.material = std::string(yielding) + ", formulation: full"}, "as plastic flow"));
   EXPECT_TRUE(says({.material = yielding, .cells = "tria3"}, "as plastic flow"));
   EXPECT_TRUE(says({.material = "law: hyperelastic, c10: 1, bulk: 100, density: 1", .cells = "tria3"},
                    "Poisson's ratio 0.49"));
+}
+
+TEST(NotesOnFormulations, TellOfQuadraticCellsWhosePressuresAlternate) {
+  constexpr auto rubber = "law: hyperelastic, c10: 1, bulk: 1000, density: 1";
+  const auto full = std::string(rubber) + ", formulation: full";
+  for (const auto* cells : {"quad8", "quad9", "tria6"}) {
+    EXPECT_TRUE(says({.material = full, .cells = cells}, "cells have pressures that alternate, as Poisson's"));
+    EXPECT_TRUE(says({.material = full, .cells = cells}, "'formulation: mean_dilatation' cures it"));
+    EXPECT_EQ(notes_of({.material = rubber, .cells = cells}), "");
+  }
+  EXPECT_TRUE(says({.material = "young: 1, poisson: 0.499, density: 1", .cells = "quad8"}, "alternate"));
+  EXPECT_TRUE(says({.material = rubber, .cells = "tria3"}, "; 'mesh: {convert: quadratic}' cures it"));
 }
 
 TEST(NotesOnFormulations, AreSilentWhereCellsDoNotLock) {

@@ -66,7 +66,7 @@ std::vector<Key> material_words() {
            word_of(study::strain_words)},
           {"formulation",
            "how cells are integrated; when not given, mean_dilatation of plastic and hyperelastic "
-           "QUAD4, HEXA8 and PENTA6, else full",
+           "cells, but not of TRIA3, TETRA4 and pyramids and not in plane_stress, else full",
            word_of(study::formulation_words)}};
 }
 

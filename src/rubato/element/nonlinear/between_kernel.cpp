@@ -20,6 +20,7 @@ using material::Tangent6;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr int most_dofs = 3 * most_nodes_of_cell;
 using Dofs = std::array<double, static_cast<std::size_t>(most_dofs)>;
+template <class T> using PerDilatation = std::array<T, static_cast<std::size_t>(most_dilatations)>;
 
 /// x:y.
 double contraction(const Matrix3d& x, const Matrix3d& y) {
@@ -225,12 +226,29 @@ private:
     return sum;
   }
 
-  /// K += x ⊗ y.
-  void add_product(const Dofs& x, const Dofs& y) {
+  /// Forces of φ_m times stresses at all m.
+  PerDilatation<Dofs> forces_of(const AtPoints<Matrix3d>& h, const AtPoints<Stress6>& stress) const {
+    PerDilatation<Dofs> forces;
+    for (int m = 0; m < energy_.dilatations(); ++m)
+      forces[place(m)] = force_of(h, energy_.space().weighted(m, stress));
+    return forces;
+  }
+
+  /// x_m + factor Σ_n c_mn y_n.
+  Dofs with_along(const PerDilatation<Dofs>& x, int m, double factor, const PerDilatation<Dofs>& y) const {
+    Dofs sum = x[place(m)];
+    for (int n = 0; n < energy_.dilatations(); ++n)
+      for (std::size_t i = 0; i < place(dofs()); ++i)
+        sum[i] += factor * moduli_.along(m, n) * y[place(n)][i];
+    return sum;
+  }
+
+  /// K += ½ x ⊗ y.
+  void add_half_product(const Dofs& x, const Dofs& y) {
     for (int j = 0; j < dofs(); ++j) {
       double* const column = whole().column(j);
       for (int i = 0; i < dofs(); ++i)
-        column[i] += x[place(i)] * y[place(j)];
+        column[i] += x[place(i)] * (0.5 * y[place(j)]);
     }
   }
 
@@ -243,32 +261,26 @@ private:
       moduli[p] *= 0.5 * weight(q);
     }
     put_block_sums(motion_.gradients(), of_points(moduli), 0, motion_.nodes(), whole());
-    if (!energy_.is_averaged())
-      return;
-    const auto t = force_of(motion_.middle, moduli_.change);
-    auto half = force_of(motion_.middle, moduli_.across);
-    for (std::size_t i = 0; i < place(dofs()); ++i)
-      half[i] = 0.5 * (half[i] + moduli_.along / 2 * t[i]);
-    add_product(t, half);
-    add_product(half, t);
+    const auto t = forces_of(motion_.middle, moduli_.change), r = forces_of(motion_.middle, moduli_.across);
+    for (int m = 0; m < energy_.dilatations(); ++m) {
+      const auto half = with_along(r, m, 0.5, t);
+      add_half_product(t[place(m)], half);
+      add_half_product(half, t[place(m)]);
+    }
   }
 
   void set_exact_tangent() {
     std::fill_n(whole_.begin(), dofs() * dofs(), 0.);
     for (int q = 0; q < points(); ++q)
       add_point(q);
-    if (energy_.is_averaged()) {
-      const auto t = force_of(motion_.middle, moduli_.change), t1 = force_of(motion_.after, moduli_.change);
-      auto r = force_of(motion_.middle, moduli_.across), r1 = force_of(motion_.after, moduli_.across);
-      for (std::size_t i = 0; i < place(dofs()); ++i) {
-        r[i] = 0.5 * (r[i] + moduli_.along * t[i]);
-        r1[i] *= 0.5;
-      }
-      add_product(t, r1);
-      add_product(r, t1);
+    const auto t = forces_of(motion_.middle, moduli_.change), t1 = forces_of(motion_.after, moduli_.change);
+    const auto r = forces_of(motion_.middle, moduli_.across), r1 = forces_of(motion_.after, moduli_.across);
+    for (int m = 0; m < energy_.dilatations(); ++m) {
+      add_half_product(t[place(m)], r1[place(m)]);
+      add_half_product(with_along(r, m, 1, t), t1[place(m)]);
     }
     if (correction_ != 0)
-      add_product(force_of(motion_.middle, changes()), correction_derivative());
+      add_half_product(force_of(motion_.middle, changes()), doubled_correction_derivative());
   }
 
   /// B({F})ᵀ (𝐂 + 2 g I_sym) B(F₁) + G of a point.
@@ -309,10 +321,8 @@ private:
     return h;
   }
 
-  /// dg by the dofs.
-  Dofs correction_derivative() const {
-    const bool is_averaged = energy_.is_averaged();
-    const double t = is_averaged ? work_of(moduli_.change) : 0, r = is_averaged ? work_of(moduli_.across) : 0;
+  /// 2 dg by the dofs.
+  Dofs doubled_correction_derivative() const {
     AtPoints<Stress6> stress;
     for (std::size_t q = 0; q < place(points()); ++q) {
       const Stress6 h = stress_of(motion_.half_change[q]);
@@ -320,13 +330,30 @@ private:
       stress[q] = after_.stress[q] - middle_.stress[q] - 2 * correction_ * h;
       for (int j = 0; j < 6; ++j)
         stress[q] -= strain[j] * moduli_.at[q].col(j);
-      if (is_averaged)
-        stress[q] -= 0.5 * (t * moduli_.across[q] + (r + moduli_.along * t) * moduli_.change[q]);
     }
+    take_dilatation(stress);
     auto derivative = force_of(motion_.after, stress);
     for (std::size_t i = 0; i < place(dofs()); ++i)
-      derivative[i] /= change_size_;
+      derivative[i] *= 2 / change_size_;
     return derivative;
+  }
+
+  /// Takes half the stresses of mean_dilatation by ½[C].
+  void take_dilatation(AtPoints<Stress6>& stress) const {
+    const auto& space = energy_.space();
+    PerDilatation<double> t, r;
+    for (int m = 0; m < energy_.dilatations(); ++m) {
+      t[place(m)] = work_of(space.weighted(m, moduli_.change));
+      r[place(m)] = work_of(space.weighted(m, moduli_.across));
+    }
+    for (int m = 0; m < energy_.dilatations(); ++m) {
+      double along = r[place(m)];
+      for (int n = 0; n < energy_.dilatations(); ++n)
+        along += moduli_.along(m, n) * t[place(n)];
+      for (int q = 0; q < points(); ++q)
+        stress[place(q)] -= 0.5 * space.at(m, q) *
+                            (t[place(m)] * moduli_.across[place(q)] + along * moduli_.change[place(q)]);
+    }
   }
 
   // --- output

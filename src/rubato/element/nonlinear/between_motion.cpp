@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/element/nonlinear/between_motion.hpp"
 
+#include "rubato/element/nonlinear/bubble_cell.hpp"
 #include "rubato/element/nonlinear/enhanced_modes.hpp"
 #include "rubato/element/nonlinear/kinematics.hpp"
 
@@ -26,7 +27,9 @@ Eigen::Matrix3d symmetric_part(const Eigen::Matrix3d& h, const Eigen::Matrix3d& 
 
 BetweenMotion::BetweenMotion(const CellKind& kind, const BetweenInput& input, int modes)
     : gradients_(kind.type, input.points, kind.section, false), nodes_(gradients_.nodes() + modes) {
-  if (modes > 0)
+  if (modes > 0 && has_bubble(kind.type))
+    put_bubble(kind.type, input.points, gradients_);
+  else if (modes > 0)
     put_modes(reference_gradients(kind.type), input.points, gradients_);
   before_ = relative(input.before);
   after_ = relative(input.after);

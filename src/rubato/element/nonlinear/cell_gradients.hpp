@@ -5,7 +5,7 @@
 ///
 /// d components a node and `rows` gradients: axisymmetric cells have a third one, N_i/R, which gives the hoop
 /// strain to the first component. Cells of one point have there the means of the gradients over their volume.
-/// QUAD4 and HEXA8 may have a mode of their own for each direction: its gradients follow those of the nodes.
+/// Gradients of the cell's own modes of displacement follow those of the nodes.
 #pragma once
 
 #include "rubato/element/nonlinear.hpp"
@@ -35,9 +35,17 @@ constexpr int tensor_place(int a, int row, int d) {
   return a == 0 ? 8 : -1;
 }
 
-/// Nodes, modes of QUAD4 and HEXA8, and what makes their number even.
+/// Modes of displacement that a cell may have: one for each direction in QUAD4 and HEXA8, the bubble of
+/// QUAD8, PENTA15 and HEXA20.
+constexpr int modes_of(int nodes, int d) {
+  if (nodes == 1 << d)
+    return d;
+  return nodes == (d == 2 ? 8 : 20) || (d == 3 && nodes == 15) ? 1 : 0;
+}
+
+/// Nodes, modes, and what makes their number even.
 constexpr int stride_of(int nodes, int d) {
-  return even(nodes == 1 << d ? nodes + d : nodes);
+  return even(nodes + modes_of(nodes, d));
 }
 
 /// Numbers of the nodes, component a of node i at a · stride + i with the stride of the gradients.

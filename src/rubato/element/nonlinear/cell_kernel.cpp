@@ -5,7 +5,7 @@
 #include "rubato/element/nonlinear/cell_points.hpp"
 #include "rubato/element/nonlinear/enhanced.hpp"
 #include "rubato/element/nonlinear/hourglass_control.hpp"
-#include "rubato/element/nonlinear/mean_dilatation.hpp"
+#include "rubato/element/nonlinear/mean_cell.hpp"
 
 #include <cmath>
 
@@ -93,46 +93,13 @@ private:
   }
 
   CellResult mean_dilatation() {
-    MeanDilatation mean(cell_);
-    auto result = mean.see();
-    if (result)
-      result = cell_.respond(want());
+    MeanCell mean(cell_, gradients_, wants_tangent());
+    const auto result = mean.solve();
     if (!result)
       return result;
-    mean.set_conjugates(wants_tangent());
     if (wants_tangent())
-      put_mean(mean);
+      mean.put_tangent(tangent());
     return with_force(result, gradients_.no_force());
-  }
-
-  void put_mean(MeanDilatation& mean) {
-    with_moduli([&](auto moduli) {
-      mean.set_moduli(moduli);
-      put_block_sums(gradients_, moduli, 0, gradients_.nodes(), tangent());
-    });
-    add_mean_terms(mean);
-  }
-
-  std::array<double, 81> forces_of(std::span<const Eigen::Matrix3d> tensors) const {
-    auto nodal = gradients_.no_force();
-    gradients_.add_forces(tensors, nodal);
-    std::array<double, 81> forces;
-    gradients_.put(nodal, forces);
-    return forces;
-  }
-
-  /// K += t⊗r + r⊗t + c t⊗t, the last term by halves.
-  void add_mean_terms(const MeanDilatation& mean) const {
-    const auto change = forces_of(mean.change());
-    auto across = forces_of(mean.across());
-    const auto size = static_cast<std::size_t>(gradients_.dofs());
-    for (std::size_t i = 0; i < size; ++i)
-      across[i] += mean.along() / 2 * change[i];
-    for (std::size_t j = 0; j < size; ++j) {
-      double* const column = tangent().column(static_cast<int>(j));
-      for (std::size_t i = 0; i < size; ++i)
-        column[i] += change[i] * across[j] + across[i] * change[j];
-    }
   }
 
   CellResult enhanced() {

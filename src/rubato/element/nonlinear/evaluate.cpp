@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/cell/quadrature.hpp"
 #include "rubato/cell/reference_cell.hpp"
+#include "rubato/element/nonlinear/bubble_cell.hpp"
 #include "rubato/element/nonlinear/cell_kernel.hpp"
 #include "rubato/element/nonlinear/small_hexa8.hpp"
 
@@ -17,15 +18,16 @@ bool is_bulk(const CellKind& kind) {
          cell::topology(kind.type).dimension == component_count(kind.section.physics);
 }
 
+/// TRIA3 and TETRA4 have one change of volume in `full`; pyramids fail the inf-sup condition with one.
 bool has_mean_dilatation(const CellKind& kind) {
   switch (kind.type) {
-  case CellType::quad4:
-    return kind.section.physics != Physics::plane_stress;
-  case CellType::hexa8:
-  case CellType::penta6:
-    return true;
-  default:
+  case CellType::tria3:
+  case CellType::tetra4:
+  case CellType::pyra5:
+  case CellType::pyra13:
     return false;
+  default:
+    return kind.section.physics != Physics::plane_stress;
   }
 }
 
@@ -56,6 +58,8 @@ int point_count(const CellKind& kind) {
 }
 
 int mode_count(const CellKind& kind) {
+  if (kind.formulation == Formulation::mean_dilatation && has_bubble(kind.type))
+    return component_count(kind.section.physics);
   if (kind.formulation != Formulation::enhanced)
     return 0;
   if (kind.type == CellType::quad4)

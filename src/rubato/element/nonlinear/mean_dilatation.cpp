@@ -37,32 +37,30 @@ void add_turned_product(const Matrix3d& l, double factor, Moduli& a) {
 
 } // namespace
 
-MeanDilatation::MeanDilatation(CellPoints& cell) : cell_(cell) {
-  for (int q = 0; q < cell_.count(); ++q)
-    volume_ += cell_.gradients.weight(q);
-}
+MeanDilatation::MeanDilatation(CellPoints& cell)
+    : cell_(cell), space_(cell.kind.type, cell.input.points, cell.gradients) {}
 
 void MeanDilatation::set_conjugates(bool for_tangent) {
-  pressure_sum_ = 0;
-  for (int q = 0; q < cell_.count(); ++q)
-    pressure_sum_ += cell_.gradients.weight(q) * (pressure_[place(q)] = pressure(q));
-  const double by_volume = pressure_sum_ / (volume_ * theta_);
+  AtPoints<double> by_theta;
+  for (std::size_t q = 0; q < cell_.at.seen.size(); ++q) {
+    pressure_[q] = pressure(static_cast<int>(q));
+    by_theta[q] = pressure_[q] / theta_[q];
+  }
+  kappa_ = space_.projected(by_theta);
   for (std::size_t q = 0; q < cell_.at.seen.size(); ++q) {
     cell_.at.conjugate[q] =
-        scale_[q] * cell_.at.piola[q] + (by_volume * jacobian_[q] - pressure_[q]) * inverse_[q];
+        scale_[q] * cell_.at.piola[q] + (kappa_[q] * jacobian_[q] - pressure_[q]) * inverse_[q];
     if (for_tangent)
-      change_[q] = jacobian_[q] / (volume_ * theta_) * inverse_[q];
+      change_[q] = jacobian_[q] / space_.volume() * inverse_[q];
   }
 }
 
 void MeanDilatation::set_moduli(std::span<material::Tangent6> moduli) {
-  along_ = 0;
   for (int q = 0; q < cell_.count(); ++q)
     put_small(q, moduli[place(q)]);
 }
 
 void MeanDilatation::set_moduli(std::span<Moduli> moduli) {
-  along_ = -pressure_sum_;
   for (int q = 0; q < cell_.count(); ++q) {
     put_large(q, moduli[place(q)]);
     moduli[place(q)] *= cell_.gradients.weight(q);
@@ -70,32 +68,35 @@ void MeanDilatation::set_moduli(std::span<Moduli> moduli) {
 }
 
 CellResult MeanDilatation::see_small() {
-  double mean = 0;
-  for (int q = 0; q < cell_.count(); ++q)
-    mean += cell_.gradients.weight(q) / volume_ * cell_.at.gradient[place(q)].trace();
+  AtPoints<double> trace;
+  for (std::size_t q = 0; q < cell_.at.seen.size(); ++q)
+    trace[q] = cell_.at.gradient[q].trace();
+  const auto projected = space_.projected(trace);
   for (std::size_t q = 0; q < cell_.at.seen.size(); ++q) {
-    const Matrix3& h = cell_.at.gradient[q];
-    scale_[q] = jacobian_[q] = 1;
+    scale_[q] = jacobian_[q] = theta_[q] = 1;
     inverse_[q].setIdentity();
     Matrix3& seen = cell_.at.seen[q].h;
-    seen = h;
-    seen.diagonal().array() += (mean - h.trace()) / 3;
+    seen = cell_.at.gradient[q];
+    seen.diagonal().array() += (projected[q] - trace[q]) / 3;
   }
   return {};
 }
 
 CellResult MeanDilatation::see_large() {
   AtPoints<double> change;
-  double mean = 0;
   for (int q = 0; q < cell_.count(); ++q) {
     change[place(q)] = volume_change(cell_.at.gradient[place(q)]);
     if (!(change[place(q)] > -1))
       return {Failure::inverted, q};
-    mean += cell_.gradients.weight(q) / volume_ * change[place(q)];
   }
-  theta_ = 1 + mean;
-  for (int q = 0; q < cell_.count(); ++q)
-    scale(q, std::expm1((std::log1p(mean) - std::log1p(change[place(q)])) / 3), change[place(q)]);
+  const auto projected = space_.projected(change);
+  for (int q = 0; q < cell_.count(); ++q) {
+    const auto p = place(q);
+    if (!(projected[p] > -1))
+      return {Failure::inverted, q};
+    theta_[p] = 1 + projected[p];
+    scale(q, std::expm1((std::log1p(projected[p]) - std::log1p(change[p])) / 3), change[p]);
+  }
   return {};
 }
 
@@ -129,7 +130,7 @@ void MeanDilatation::put_small(int q, material::Tangent6& tangent) {
       tangent(j, i) -= half[i];
       tangent(i, j) -= half[i];
     }
-  along_ += phi / 9;
+  along_[place(q)] = phi / 9;
   const double by_weight = 1 / (3 * cell_.gradients.weight(q));
   for (int i = 0; i < 6; ++i)
     half[i] = (y[i] - (i < 3 ? phi / 3 : 0)) * by_weight;
@@ -140,7 +141,7 @@ void MeanDilatation::put_large(int q, Moduli& a) {
   const auto p = place(q);
   cell_.put_moduli(q, a);
   const double s = scale_[p], s2 = s * s;
-  const double by_volume = pressure_sum_ / (volume_ * theta_) * jacobian_[p];
+  const double by_volume = kappa_[p] * jacobian_[p];
   const double* const l = inverse_[p].data();
   const double* const first = cell_.at.piola[p].data();
   Matrix3 f = cell_.at.gradient[p];
@@ -161,8 +162,9 @@ void MeanDilatation::put_large(int q, Moduli& a) {
   add_turned_product(inverse_[p], pressure_[p] - by_volume, a);
   double* const across = across_[p].data();
   for (int i = 0; i < 9; ++i)
-    across[i] = s2 / 3 * (y[place(i)] - phi / 3 * l[i]) + s / 3 * first[i] - pressure_[p] / 3 * l[i];
-  along_ += cell_.gradients.weight(q) * (s2 * phi / 9 + pressure_[p] / 3);
+    across[i] =
+        (s2 / 3 * (y[place(i)] - phi / 3 * l[i]) + s / 3 * first[i] - pressure_[p] / 3 * l[i]) / theta_[p];
+  along_[p] = cell_.gradients.weight(q) * (s2 * phi / 9 - 2. / 3 * pressure_[p]) / (theta_[p] * theta_[p]);
 }
 
 } // namespace rubato::element

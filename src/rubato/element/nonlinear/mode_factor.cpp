@@ -9,9 +9,14 @@
 namespace rubato::element {
 namespace {
 
-/// Calls work(size) with the sizes that there are known at compile time: QUAD4, HEXA8, HEXA8 in small strain.
+/// Calls work(size) with the sizes that there are known at compile time: bubbles, QUAD4, HEXA8, HEXA8 in
+/// small strain.
 template <class Work> void with_size(int size, const Work& work) {
-  if (size == 4)
+  if (size == 2)
+    work(std::integral_constant<std::size_t, 2>{});
+  else if (size == 3)
+    work(std::integral_constant<std::size_t, 3>{});
+  else if (size == 4)
     work(std::integral_constant<std::size_t, 4>{});
   else if (size == 9)
     work(std::integral_constant<std::size_t, 9>{});

@@ -26,7 +26,7 @@ Stress6 inverse_of(const Matrix3d& excess) {
 
 /// κ J.
 double pressure_by_volume(std::size_t q, const EnergyState& state) {
-  return state.all_pressure / (state.volume * state.mean_jacobian) * state.jacobian[q];
+  return state.kappa[q] * state.jacobian[q];
 }
 
 /// c += factor · I_C.
@@ -55,31 +55,32 @@ CellResult StrainEnergy::respond(std::span<const Matrix3d> excess, material::Wan
 }
 
 void StrainEnergy::set_moduli(const EnergyState& state, EnergyModuli& moduli) const {
-  moduli.along = -state.all_pressure;
+  AtPoints<double> along;
   for (int q = 0; q < gradients_.points(); ++q) {
     moduli.at[place(q)] = seen_tangent(place(q), state);
     if (is_averaged())
-      set_mean_moduli(q, state, moduli);
+      along[place(q)] = set_mean_moduli(q, state, moduli);
   }
+  if (is_averaged())
+    moduli.along = space_.products(along);
 }
 
 CellResult StrainEnergy::average(std::span<const Matrix3d> excess, EnergyState& out) const {
-  AtPoints<double> square_change; // J² − 1
-  double mean = 0;
-  out.volume = 0;
+  AtPoints<double> square_change, change; // J² − 1, J − 1
   for (int q = 0; q < gradients_.points(); ++q) {
-    const double change = square_change[place(q)] = volume_change(excess[place(q)]);
-    if (!(change > -1))
+    const auto p = place(q);
+    square_change[p] = volume_change(excess[p]);
+    if (!(square_change[p] > -1))
       return {Failure::inverted, q};
-    const double root = std::sqrt(1 + change);
-    out.jacobian[place(q)] = root;
-    out.volume += gradients_.weight(q);
-    mean += gradients_.weight(q) * change / (1 + root);
+    out.jacobian[p] = std::sqrt(1 + square_change[p]);
+    change[p] = square_change[p] / (1 + out.jacobian[p]);
   }
-  mean /= out.volume;
-  out.mean_jacobian = 1 + mean;
+  const auto projected = space_.projected(change);
   for (std::size_t q = 0; q < excess.size(); ++q) {
-    const double less_one = std::expm1((2 * std::log1p(mean) - std::log1p(square_change[q])) / 3);
+    if (!(projected[q] > -1))
+      return {Failure::inverted, static_cast<int>(q)};
+    out.theta[q] = 1 + projected[q];
+    const double less_one = std::expm1((2 * std::log1p(projected[q]) - std::log1p(square_change[q])) / 3);
     out.square[q] = 1 + less_one;
     out.seen[q] = out.square[q] * excess[q];
     out.seen[q].diagonal().array() += less_one;
@@ -110,7 +111,8 @@ CellResult StrainEnergy::ask_laws(material::Want want, EnergyState& out) const {
 }
 
 void StrainEnergy::set_stresses(EnergyState& out) const {
-  out.stored = out.all_pressure = 0;
+  AtPoints<double> by_theta;
+  out.stored = 0;
   for (int q = 0; q < gradients_.points(); ++q) {
     const auto p = place(q);
     out.stored += gradients_.weight(q) * out.response[p].stored;
@@ -118,13 +120,15 @@ void StrainEnergy::set_stresses(EnergyState& out) const {
     if (is_averaged()) {
       const Matrix3d s = tensor_of(out.seen_stress[p]);
       out.pressure[p] = (s.trace() + s.cwiseProduct(out.seen[p]).sum()) / 3;
-      out.all_pressure += gradients_.weight(q) * out.pressure[p];
+      by_theta[p] = out.pressure[p] / out.theta[p];
     }
   }
-  if (is_averaged())
-    for (std::size_t q = 0; q < place(gradients_.points()); ++q)
-      out.stress[q] = out.square[q] * out.seen_stress[q] +
-                      (pressure_by_volume(q, out) - out.pressure[q]) * out.inverse[q];
+  if (!is_averaged())
+    return;
+  out.kappa = space_.projected(by_theta);
+  for (std::size_t q = 0; q < place(gradients_.points()); ++q)
+    out.stress[q] =
+        out.square[q] * out.seen_stress[q] + (pressure_by_volume(q, out) - out.pressure[q]) * out.inverse[q];
 }
 
 Stress6 StrainEnergy::seen_stress(std::size_t q, const EnergyState& state) const {
@@ -145,7 +149,7 @@ Tangent6 StrainEnergy::seen_tangent(std::size_t q, const EnergyState& state) con
                                                  : symmetric.tangent;
 }
 
-void StrainEnergy::set_mean_moduli(int q, const EnergyState& state, EnergyModuli& moduli) const {
+double StrainEnergy::set_mean_moduli(int q, const EnergyState& state, EnergyModuli& moduli) const {
   const auto p = place(q);
   Tangent6& c = moduli.at[p];
   const double square = state.square[p], by_volume = pressure_by_volume(p, state);
@@ -162,9 +166,10 @@ void StrainEnergy::set_mean_moduli(int q, const EnergyState& state, EnergyModuli
     for (int i = 0; i < 6; ++i)
       c(i, j) = square * square * c(i, j) + l[i] * half[j] + half[i] * l[j];
   add_symmetrizer(2 * (state.pressure[p] - by_volume), tensor_of(l), c);
-  moduli.change[p] = state.jacobian[p] / (state.volume * state.mean_jacobian) * l;
-  moduli.across[p] = side - both * l;
-  moduli.along += gradients_.weight(q) * both;
+  const double theta = state.theta[p];
+  moduli.change[p] = state.jacobian[p] / space_.volume() * l;
+  moduli.across[p] = (side - both * l) / theta;
+  return gradients_.weight(q) * (both - state.pressure[p]) / (theta * theta);
 }
 
 } // namespace rubato::element

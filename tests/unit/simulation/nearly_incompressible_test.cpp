@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+/// Blocks of nearly incompressible bodies that are pressed between rough plates: cells, strains and K/G.
+#include "rubato/domain/recovery.hpp"
+#include "rubato/model/model.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "support/walk.hpp"
+#include <string>
+#include <vector>
+
+namespace rubato::simulation::nearly_incompressible_test {
+namespace {
+
+struct Law {
+  std::string name;
+  std::string of_ratio; ///< keys of the material; {} is ν
+};
+
+const Law rubber{"rubber", "law: hyperelastic, c10: 0.5, poisson: {}"};
+const Law small{"small strain", "young: 3, poisson: {}, formulation: mean_dilatation"};
+const Law logarithmic{"logarithmic strain",
+                      "young: 3, poisson: {}, strain: logarithmic, formulation: mean_dilatation"};
+
+struct Mesh {
+  std::string cells;
+  int divisions; ///< of the height
+  bool is_solid = false;
+};
+
+/// Length 20, height 10, pressed by 0.5; solids are a quarter of a block as wide as long.
+std::string block(const Mesh& mesh, const std::string& material) {
+  const int n = mesh.divisions;
+  const auto part =
+      mesh.is_solid
+          ? fmt::format("box: {{from: [0, 0, 0], to: [10, 10, 10]}}, divisions: [{}, {}, {}]", n, n, n)
+          : fmt::format("rectangle: {{from: [0, 0], to: [20, 10]}}, divisions: [{}, {}]", 2 * n, n);
+  return fmt::format(R"(mesh: {{generate: [{{name: block, {}, cells: {}, sides: {{bottom: foot, top: head{}}}}}]}}
+physics: {}
+materials: {{any: {{{}}}}}
+functions: {{ramp: {{ramp: [0, 1]}}}}
+supports: [{{on: foot, fix: [x, y{}]}}, {{on: head, x: 0{}, y: {{value: -0.5, function: ramp}}}}{}]
+time: {{scheme: static, step: 0.5, end: 1}}
+)",
+                     part, mesh.cells, mesh.is_solid ? ", left: left, back: back" : "",
+                     mesh.is_solid ? "solid" : "plane_strain", material, mesh.is_solid ? ", z" : "",
+                     mesh.is_solid ? ", z: 0" : "",
+                     mesh.is_solid ? ", {on: left, fix: x}, {on: back, fix: z}" : "");
+}
+
+struct Answer {
+  double force = 0;               ///< on the head
+  double least = 0, largest = 0;  ///< pressure at the points of all cells
+  int iterations = 0;
+};
+
+/// −tr σ/3 at all points.
+void take_pressures(const test::Walk& walk, Answer& answer) {
+  const auto& model = walk.model;
+  const auto& state = walk.state();
+  domain::CellTensors tensors(model.mesh, model.bulk, model.dofs, state.motion.u,
+                              {model.domain.heat(), state.t}, &state.bulk_points);
+  answer.least = std::numeric_limits<double>::infinity();
+  answer.largest = -answer.least;
+  for (std::size_t cell = 0; cell < model.bulk.cells.size(); ++cell) {
+    const Eigen::MatrixXd stress = tensors.at_points(domain::Tensor::stress, cell);
+    const Eigen::RowVectorXd pressure = -stress.topRows<3>().colwise().mean();
+    answer.least = std::min(answer.least, pressure.minCoeff());
+    answer.largest = std::max(answer.largest, pressure.maxCoeff());
+  }
+}
+
+Answer answer_of(const Mesh& mesh, const Law& law, double bulk_by_shear) {
+  const double poisson = (3 * bulk_by_shear - 2) / (6 * bulk_by_shear + 2);
+  test::Walk walk(block(mesh, fmt::format(fmt::runtime(law.of_ratio), poisson)));
+  Answer answer;
+  EXPECT_TRUE(walk.to_end()) << mesh.cells << ' ' << law.name;
+  for (const auto node : walk.model.dofs.nodes)
+    if (walk.model.mesh.points[static_cast<std::size_t>(node)][1] > 10 - 1e-9)
+      answer.force -= walk.state().reaction[walk.model.dofs.dof(node, 1)];
+  for (const auto& report : walk.reports)
+    answer.iterations += report.bulk_iterations;
+  take_pressures(walk, answer);
+  return answer;
+}
+
+struct Row {
+  Mesh mesh;
+  double force_error;   ///< relative
+  double pressure_part; ///< how far beyond the range of pressures of linear cells, by that range
+};
+
+void compare(const Mesh& linear, const Mesh& fine, const std::vector<Row>& rows) {
+  for (const auto& law : {rubber, small, logarithmic})
+    for (const double ratio : {500., 1e5}) {
+      const auto exact = answer_of(fine, law, ratio), usual = answer_of(linear, law, ratio);
+      const double range = usual.largest - usual.least;
+      for (const auto& row : rows) {
+        const auto answer = answer_of(row.mesh, law, ratio);
+        const auto what = fmt::format("{} {} {}: force {} of {}, pressures {} to {} of {} to {}, {} of {}",
+                                      row.mesh.cells, law.name, ratio, answer.force, exact.force, answer.least,
+                                      answer.largest, usual.least, usual.largest, answer.iterations,
+                                      usual.iterations);
+        if (std::getenv("SHOW")) fmt::print("{}\n", what);
+        EXPECT_NEAR(answer.force, exact.force, row.force_error * exact.force) << what;
+        EXPECT_GT(answer.least, usual.least - row.pressure_part * range) << what;
+        EXPECT_LT(answer.largest, usual.largest + row.pressure_part * range) << what;
+        EXPECT_LE(answer.iterations, 1.5 * usual.iterations) << what;
+      }
+    }
+}
+
+TEST(NearlyIncompressible, PlaneCellsHaveForcesAndPressuresWithoutLocking) {
+  compare({"quad4", 6}, {"quad9", 12},
+          {{{"quad8", 6}, 0.01, 0.3}, {{"quad9", 6}, 0.01, 0.3}, {{"tria6", 6}, 0.03, 0.3}, {{"tria7", 6}, 0.02, 0.6}});
+}
+
+TEST(NearlyIncompressible, SolidCellsHaveForcesAndPressuresWithoutLocking) {
+  compare({"hexa8", 4, true}, {"hexa27", 4, true},
+          {{{"hexa20", 3, true}, 0.03, 0.3},
+           {{"hexa27", 3, true}, 0.03, 0.3},
+           {{"penta15", 3, true}, 0.03, 0.6},
+           {{"tetra10", 3, true}, 0.05, 0.6}});
+}
+
+} // namespace
+} // namespace rubato::simulation::nearly_incompressible_test
