@@ -95,6 +95,19 @@ TEST_P(EveryKind, HasTheWorkOfItsForcesAtItsPoints) {
   EXPECT_NEAR(work, 2 * cell.force.dot(step), 1e-8 * size);
 }
 
+/// Motions of a single cell without energy beside the rigid ones.
+int unseen_motions(const CellKind& kind) {
+  const bool is_axisymmetric = kind.section.physics == Physics::axisymmetric;
+  if (kind.type == CellType::tria3 && is_axisymmetric)
+    return 1; // one point sees four strains of six motions
+  if (kind.formulation != Formulation::mean_dilatation)
+    return 0;
+  // u = 2 (b·x) x − x² b has no shears, and a change of volume that vanishes in the mean of one cell alone
+  if (kind.type == CellType::tetra10)
+    return 3;
+  return kind.type == CellType::tria6 && is_axisymmetric ? 1 : 0;
+}
+
 TEST_P(EveryKind, HasNoMoreModesWithoutEnergyThanRigidOnes) {
   OneCell cell(GetParam(), elastic_for(GetParam()));
   ASSERT_TRUE(cell.evaluate(VectorXd::Zero(cell.dofs)));
@@ -102,9 +115,7 @@ TEST_P(EveryKind, HasNoMoreModesWithoutEnergyThanRigidOnes) {
   const auto none = (values.array().abs() < 1e-10 * values.maxCoeff()).count();
   const auto physics = GetParam().section.physics;
   const int rigid = physics == Physics::solid ? 6 : physics == Physics::axisymmetric ? 1 : 3;
-  // One point sees four strains of six motions: beside the rigid one, one more stays free in a single cell.
-  const int unseen = GetParam().type == CellType::tria3 && physics == Physics::axisymmetric ? 1 : 0;
-  EXPECT_EQ(none, rigid + unseen);
+  EXPECT_EQ(none, rigid + unseen_motions(GetParam()));
   EXPECT_GT(values.minCoeff(), -1e-12 * values.maxCoeff());
 }
 
@@ -118,6 +129,8 @@ TEST_P(EveryKind, HasTheSameStressEverywhereUnderAConstantStrain) {
     h << 1e-3, 2e-3, -1e-3, -3e-3, 2e-3, 1e-3, 2e-3, 0, -2e-3;
     if (GetParam().section.physics == Physics::axisymmetric)
       h(0, 1) = 0; // u_r = c r only, so that the hoop strain is constant
+    if (GetParam().section.physics == Physics::axisymmetric && mode_count(GetParam()) > 0)
+      h(1, 0) = 0; // a constant shear is not in equilibrium, to which a bubble answers
     ASSERT_TRUE(cell.evaluate(cell.linear_field({0, 0.1, 0}, h)));
     const auto& first = cell.records.front();
     for (const auto& record : cell.records) {

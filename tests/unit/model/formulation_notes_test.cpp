@@ -65,7 +65,8 @@ TEST(NotesOnFormulations, TellOfQuadraticCellsWhosePressuresAlternate) {
   constexpr auto rubber = "law: hyperelastic, c10: 1, bulk: 1000, density: 1";
   const auto full = std::string(rubber) + ", formulation: full";
   for (const auto* cells : {"quad8", "quad9", "tria6"}) {
-    EXPECT_TRUE(says({.material = full, .cells = cells}, "cells have pressures that alternate, as Poisson's"));
+    EXPECT_TRUE(
+        says({.material = full, .cells = cells}, "cells have pressures that alternate, as Poisson's"));
     EXPECT_TRUE(says({.material = full, .cells = cells}, "'formulation: mean_dilatation' cures it"));
     EXPECT_EQ(notes_of({.material = rubber, .cells = cells}), "");
   }

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "support/walk.hpp"
+#include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -36,22 +38,22 @@ std::string block(const Mesh& mesh, const std::string& material) {
       mesh.is_solid
           ? fmt::format("box: {{from: [0, 0, 0], to: [10, 10, 10]}}, divisions: [{}, {}, {}]", n, n, n)
           : fmt::format("rectangle: {{from: [0, 0], to: [20, 10]}}, divisions: [{}, {}]", 2 * n, n);
-  return fmt::format(R"(mesh: {{generate: [{{name: block, {}, cells: {}, sides: {{bottom: foot, top: head{}}}}}]}}
+  return fmt::format(
+      R"(mesh: {{generate: [{{name: block, {}, cells: {}, sides: {{bottom: foot, top: head{}}}}}]}}
 physics: {}
 materials: {{any: {{{}}}}}
 functions: {{ramp: {{ramp: [0, 1]}}}}
 supports: [{{on: foot, fix: [x, y{}]}}, {{on: head, x: 0{}, y: {{value: -0.5, function: ramp}}}}{}]
 time: {{scheme: static, step: 0.5, end: 1}}
 )",
-                     part, mesh.cells, mesh.is_solid ? ", left: left, back: back" : "",
-                     mesh.is_solid ? "solid" : "plane_strain", material, mesh.is_solid ? ", z" : "",
-                     mesh.is_solid ? ", z: 0" : "",
-                     mesh.is_solid ? ", {on: left, fix: x}, {on: back, fix: z}" : "");
+      part, mesh.cells, mesh.is_solid ? ", left: left, back: back" : "",
+      mesh.is_solid ? "solid" : "plane_strain", material, mesh.is_solid ? ", z" : "",
+      mesh.is_solid ? ", z: 0" : "", mesh.is_solid ? ", {on: left, fix: x}, {on: back, fix: z}" : "");
 }
 
 struct Answer {
-  double force = 0;               ///< on the head
-  double least = 0, largest = 0;  ///< pressure at the points of all cells
+  double force = 0;              ///< on the head
+  double least = 0, largest = 0; ///< pressure at the points of all cells
   int iterations = 0;
 };
 
@@ -87,41 +89,53 @@ Answer answer_of(const Mesh& mesh, const Law& law, double bulk_by_shear) {
 
 struct Row {
   Mesh mesh;
-  double force_error;   ///< relative
-  double pressure_part; ///< how far beyond the range of pressures of linear cells, by that range
+  double force_error;    ///< relative
+  double pressure_error; ///< beyond the range of pressures of linear cells, by that range
 };
 
-void compare(const Mesh& linear, const Mesh& fine, const std::vector<Row>& rows) {
-  for (const auto& law : {rubber, small, logarithmic})
-    for (const double ratio : {500., 1e5}) {
-      const auto exact = answer_of(fine, law, ratio), usual = answer_of(linear, law, ratio);
-      const double range = usual.largest - usual.least;
-      for (const auto& row : rows) {
-        const auto answer = answer_of(row.mesh, law, ratio);
-        const auto what = fmt::format("{} {} {}: force {} of {}, pressures {} to {} of {} to {}, {} of {}",
-                                      row.mesh.cells, law.name, ratio, answer.force, exact.force, answer.least,
-                                      answer.largest, usual.least, usual.largest, answer.iterations,
-                                      usual.iterations);
-        if (std::getenv("SHOW")) fmt::print("{}\n", what);
-        EXPECT_NEAR(answer.force, exact.force, row.force_error * exact.force) << what;
-        EXPECT_GT(answer.least, usual.least - row.pressure_part * range) << what;
-        EXPECT_LT(answer.largest, usual.largest + row.pressure_part * range) << what;
-        EXPECT_LE(answer.iterations, 1.5 * usual.iterations) << what;
-      }
+struct Body {
+  Law law;
+  double bulk_by_shear; ///< K/G
+};
+
+/// The constraint of volume makes iterations of all cells slow where K/G is 1e5 and strains are large.
+constexpr double usual_ratio = 500;
+
+void compare(const Mesh& linear, const Mesh& fine, const std::vector<Body>& bodies,
+             const std::vector<Row>& rows, double iterations_by_linear) {
+  for (const auto& [law, ratio] : bodies) {
+    const auto exact = answer_of(fine, law, ratio), usual = answer_of(linear, law, ratio);
+    const double range = usual.largest - usual.least;
+    for (const auto& row : rows) {
+      const auto answer = answer_of(row.mesh, law, ratio);
+      const auto what = fmt::format("{}, {}, K/G = {}", row.mesh.cells, law.name, ratio);
+      EXPECT_NEAR(answer.force, exact.force, row.force_error * exact.force) << what;
+      EXPECT_GT(answer.least, usual.least - row.pressure_error * range) << what;
+      EXPECT_LT(answer.largest, usual.largest + row.pressure_error * range) << what;
+      if (ratio == usual_ratio)
+        EXPECT_LE(answer.iterations, iterations_by_linear * usual.iterations) << what;
     }
+  }
 }
 
+/// QUAD8 and TRIA6 in full are off by several times the range of pressures. A cell with the mean pressure
+/// misses the linear part of its range, TRIA7 exceeds it at the corners of the plates.
 TEST(NearlyIncompressible, PlaneCellsHaveForcesAndPressuresWithoutLocking) {
-  compare({"quad4", 6}, {"quad9", 12},
-          {{{"quad8", 6}, 0.01, 0.3}, {{"quad9", 6}, 0.01, 0.3}, {{"tria6", 6}, 0.03, 0.3}, {{"tria7", 6}, 0.02, 0.6}});
+  compare({"quad4", 6}, {"quad9", 12}, {{rubber, 500}, {rubber, 1e5}, {small, 1e5}, {logarithmic, 500}},
+          {{{"quad8", 6}, 0.003, 0.2},
+           {{"quad9", 6}, 0.003, 0.2},
+           {{"tria6", 6}, 0.02, 0.12},
+           {{"tria7", 6}, 0.015, 0.36}},
+          1.5);
 }
 
 TEST(NearlyIncompressible, SolidCellsHaveForcesAndPressuresWithoutLocking) {
-  compare({"hexa8", 4, true}, {"hexa27", 4, true},
-          {{{"hexa20", 3, true}, 0.03, 0.3},
-           {{"hexa27", 3, true}, 0.03, 0.3},
-           {{"penta15", 3, true}, 0.03, 0.6},
-           {{"tetra10", 3, true}, 0.05, 0.6}});
+  compare({"hexa8", 4, true}, {"hexa27", 4, true}, {{rubber, 500}, {small, 1e5}, {logarithmic, 500}},
+          {{{"hexa20", 3, true}, 0.025, 0.1},
+           {{"hexa27", 3, true}, 0.005, 0.12},
+           {{"penta15", 3, true}, 0.05, 0.05},
+           {{"tetra10", 3, true}, 0.025, 0.05}},
+          1.75);
 }
 
 } // namespace

@@ -21,7 +21,7 @@ double arch(double x) {
 }
 
 /// Product of arches in the first `d` coordinates.
-Bubble box_bubble(const Vector3d& xi, int d) {
+Bubble bubble_at(const Vector3d& xi, int d) {
   Bubble bubble{1, Vector3d::Zero()};
   for (int a = 0; a < d; ++a) {
     bubble.value *= arch(xi[a]);
@@ -30,14 +30,6 @@ Bubble box_bubble(const Vector3d& xi, int d) {
       bubble.gradient[a] *= b == a ? 1 : arch(xi[b]);
   }
   return bubble;
-}
-
-Bubble prism_bubble(const Vector3d& xi) {
-  constexpr double at_centre = 27;
-  const double third = 1 - xi[0] - xi[1], z = at_centre * arch(xi[2]);
-  const double triangle = xi[0] * xi[1] * third;
-  return {z * triangle,
-          {z * xi[1] * (third - xi[0]), z * xi[0] * (third - xi[1]), -2 * at_centre * xi[2] * triangle}};
 }
 
 /// ∂X/∂ξ at a point; in the plane zz is 1.
@@ -53,15 +45,14 @@ Square<3> jacobian_at(const ReferenceGradients& reference, std::span<const Vecto
 } // namespace
 
 bool has_bubble(CellType type) {
-  return type == CellType::quad8 || type == CellType::penta15 || type == CellType::hexa20;
+  return type == CellType::quad8 || type == CellType::hexa20;
 }
 
 void put_bubble(CellType type, std::span<const Vector3d> points, CellGradients& gradients) {
   const auto& reference = reference_gradients(type);
   const int d = gradients.components(), nodes = gradients.nodes();
   for (int q = 0; q < gradients.points(); ++q) {
-    const Vector3d xi = reference.xi.col(q);
-    const auto bubble = type == CellType::penta15 ? prism_bubble(xi) : box_bubble(xi, d);
+    const auto bubble = bubble_at(reference.xi.col(q), d);
     Square<3> inverse;
     invert(jacobian_at(reference, points, d, q), inverse);
     for (int row = 0; row < gradients.rows(); ++row) {

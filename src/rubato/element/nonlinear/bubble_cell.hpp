@@ -2,9 +2,8 @@
 /// The displacement mode of the cells of mean_dilatation that have one, a bubble, which vanishes on their
 /// faces:
 ///
-///   QUAD8    M = (1 − ξ²)(1 − η²)
-///   PENTA15  M = 27 ξ η (1 − ξ − η)(1 − ζ²)
-///   HEXA20   M = (1 − ξ²)(1 − η²)(1 − ζ²)
+///   QUAD8   M = (1 − ξ²)(1 − η²)
+///   HEXA20  M = (1 − ξ²)(1 − η²)(1 − ζ²)
 ///
 /// With it a linear change of volume in the cell passes the inf-sup condition wherever a constant one does
 /// (D. Boffi, F. Brezzi, M. Fortin, Mixed Finite Element Methods and Applications, 2013, section 8.6): QUAD8

@@ -40,7 +40,7 @@ constexpr int tensor_place(int a, int row, int d) {
 constexpr int modes_of(int nodes, int d) {
   if (nodes == 1 << d)
     return d;
-  return nodes == (d == 2 ? 8 : 20) || (d == 3 && nodes == 15) ? 1 : 0;
+  return nodes == (d == 2 ? 8 : 20) ? 1 : 0;
 }
 
 /// Nodes, modes, and what makes their number even.

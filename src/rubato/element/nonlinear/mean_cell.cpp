@@ -112,13 +112,13 @@ CellResult MeanCell::improved() {
       [&] { return respond(); }, [&] { return is_solved(); });
 }
 
-/// K of nodes and bubble from `first_node` on, also from the one before if that is odd.
+/// K of nodes and bubble from `first_node`, which is even, on.
 void MeanCell::put_stiffness(int first_node, const MatrixView& k) {
-  const int first = first_node - first_node % 2, last = cell_.gradients.nodes() + (modes_ > 0 ? 1 : 0);
+  const int last = cell_.gradients.nodes() + (modes_ > 0 ? 1 : 0);
   const auto size = place(cell_.count());
   const auto put = [&](auto moduli) {
     mean_.set_moduli(moduli);
-    put_block_sums(cell_.gradients, moduli, first, last, k);
+    put_block_sums(cell_.gradients, moduli, first_node, last, k);
   };
   if (cell_.is_small()) {
     AtPoints<material::Tangent6> moduli;
