@@ -158,11 +158,14 @@ void NonlinearCells::add_initial_product(const VectorXd& x, VectorXd& y) const {
     const auto& group = group_of(cell);
     gather(cell, x, scratch.displacement);
     scratch.force.resize(scratch.displacement.size());
+    const auto modes = static_cast<std::size_t>(element::mode_count(group.undeformed));
+    scratch.states.assign(2 * modes, 0.0);
+    const std::span states(scratch.states);
     const element::CellInput input{
         std::span(points_).subspan(cell.first_node, static_cast<std::size_t>(group.nodes)),
-        scratch.displacement,
-        {}};
-    element::evaluate(group.undeformed, element::PointLaws(group.first), input, {{}, scratch.force, {}});
+        scratch.displacement, states.first(modes)};
+    element::evaluate(group.undeformed, element::PointLaws(group.first), input,
+                      {states.last(modes), scratch.force, {}});
     add_answers(i, wanted, scratch, kept);
   });
   add_kept(kept, wanted);
