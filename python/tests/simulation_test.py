@@ -181,6 +181,19 @@ def test_an_explicit_simulation_goes_back_too():
     assert numpy.array_equal(simulation.state.u, whole.state.u)
 
 
+def test_an_explicit_simulation_keeps_relations():
+    study = studies.bar(scheme="central_difference", step=0, record=0.5, end=1)
+    study.relations = [rubato.Relation(name="flat", kind="equal", on="end")]
+    model = rubato.Model(study)
+    simulation = rubato.Simulation(model)
+    for _ in simulation:
+        pass
+    x = model.mesh.points[:, 0]
+    moved = simulation.state.u.reshape(-1, 2)[x == x.max()]
+    assert len(moved) > 1 and abs(moved).min() > 0
+    assert numpy.ptp(moved, axis=0).max() < 1e-14
+
+
 def test_a_step_that_fails_says_why():
     study = studies.blocks()
     study.newton.max_iterations = 1

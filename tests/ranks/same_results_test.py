@@ -101,6 +101,12 @@ def test_explicit_run_that_is_not_dealt_out_says_so(tmp_path):
     assert "with springs or dashpots each of the 2 ranks computes all cells" in several.stderr
 
 
+def test_explicit_run_with_relations_says_so(tmp_path):
+    flat = 'relations={"flat": {"equal": {"on": "Haut_Libre"}}}'
+    _, several = both(tmp_path, 2, BEAMS / "c.yaml", *EXPLICIT, "--set", flat, run="evol1")
+    assert "with relations or ties each of the 2 ranks computes all cells" in several.stderr
+
+
 @pytest.mark.parametrize("material", ["large_plastic", "damped"])
 def test_explicit_run_goes_on_with_other_ranks(tmp_path, material):
     keep = ["run", BEAMS / "c.yaml", *EXPLICIT, *MATERIALS[material], "--set", "checkpoint={every: 3}"]

@@ -67,7 +67,8 @@ public:
 
   Elimination result() && {
     for (auto& [dof, dependent] : dependents_) {
-      std::erase_if(dependent.given, [&](const Term& term) { return is_zero(value_of(term)); });
+      std::erase_if(dependent.given,
+                    [&](const Term& term) { return is_zero(value_of(term)) && !has_multiplier(term); });
       result_.dependents.push_back(std::move(dependent));
     }
     std::ranges::sort(result_.dependents, {}, &DependentDof::dof);
@@ -83,6 +84,9 @@ private:
   /// The right side that a term counts.
   const ImposedValue& value_of(const Term& term) const {
     return equations_[static_cast<std::size_t>(term.dof)].value;
+  }
+  bool has_multiplier(const Term& term) const {
+    return equations_[static_cast<std::size_t>(term.dof)].has_multiplier;
   }
   static bool is_zero(const ImposedValue& value) {
     return value.value == 0 && !value.field && !value.rotation;

@@ -150,6 +150,15 @@ bool Reduction::moves(const PrescribedDof& prescribed) const {
          (is_carried() && base_.at(static_cast<std::size_t>(prescribed.dof % components_)).has_value());
 }
 
+bool Reduction::moves(const DependentDof& dependent) const {
+  const auto varies = [&](const Term& term) {
+    return right_sides_[static_cast<std::size_t>(term.dof)].varies_in_time();
+  };
+  return is_carried() || std::ranges::any_of(dependent.given, varies) ||
+         std::ranges::any_of(dependent.prescribed,
+                             [&](const Term& term) { return moves(support_of(term.dof)); });
+}
+
 /// What a base adds to a dependent dof: s less what s gives of the dofs it depends on; 0 of relations that
 /// translations fulfil.
 double Reduction::carried_part(const DependentDof& dependent, double t, int order) const {
@@ -295,6 +304,14 @@ VectorXd Reduction::reaction(const VectorXd& residual) const {
   for (const int dof : reacting_)
     forces[dof] = residual[dof];
   return forces;
+}
+
+VectorXd Reduction::multipliers(const VectorXd& reaction) const {
+  VectorXd sums = VectorXd::Zero(static_cast<Index>(right_sides_.size()));
+  for (const auto& dependent : dependents_)
+    for (const auto& term : dependent.given)
+      sums[term.dof] += term.coefficient * reaction[dependent.dof];
+  return sums;
 }
 
 } // namespace rubato::constraint

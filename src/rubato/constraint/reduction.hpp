@@ -118,6 +118,8 @@ public:
   double displacement(const PrescribedDof& prescribed, double t) const;
   /// Whether that may change with time.
   bool moves(const PrescribedDof& prescribed) const;
+  /// Whether the given part of one of dependents() may change with time.
+  bool moves(const DependentDof& dependent) const;
   /// Of one of dependents(): what no unknown gives of it, g(t) [length].
   double given_part(const DependentDof& dependent, double t) const;
   /// Calls take(unknown, coefficient) for every entry of a dof's row of T.
@@ -157,6 +159,10 @@ public:
   /// What holds and ties the dofs where `residual`, an entry a dof, is left of all other forces: its entries
   /// on reacting_dofs(), 0 on the others [force].
   Eigen::VectorXd reaction(const Eigen::VectorXd& residual) const;
+  /// λ of the equations E u = r that `given` has the numbers of: the reaction, an entry a dof, is Eᵀ λ. It is
+  /// the work of the reaction by a change of the right side, λ_i = Σ reaction_d ∂g_d/∂r_i; 0 of equations
+  /// that are redundant [force · length over the unit of r].
+  Eigen::VectorXd multipliers(const Eigen::VectorXd& reaction) const;
 
 private:
   static constexpr int prescribed_mark = -1;

@@ -9,6 +9,8 @@
 
 #include "rubato/contact/enforcement.hpp"
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace rubato::contact {
@@ -17,5 +19,22 @@ namespace rubato::contact {
 /// that face nothing have no kinematics. A point on a node faces a master within the longest slave face of
 /// it, when its projection is not clamped. `rest`: nothing is displaced.
 std::vector<PointEvaluation> tied_points(const Zone& zone, const Configuration& rest);
+
+/// Calls take(point, component) for each relation between displacements that tied points have, in the order
+/// of the points: Σ weight(node, component) u(node, component) = 0 over the point's stencil.
+template <class Take> void for_each_relation(std::span<const PointEvaluation> points, const Take& take) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!points[i].kinematics)
+      continue;
+    const auto& stencil = points[i].kinematics->stencil;
+    for (int c = 0; c < stencil.components; ++c) {
+      bool related = false;
+      for (std::size_t j = 0; j < stencil.nodes.size() && !related; ++j)
+        related = stencil.weight(static_cast<Eigen::Index>(j), c) != 0;
+      if (related)
+        take(i, c);
+    }
+  }
+}
 
 } // namespace rubato::contact

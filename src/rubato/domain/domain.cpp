@@ -65,8 +65,10 @@ PlasticStep Domain::plastic_step(const QuadratureStates& old, const QuadratureSt
   return std::visit([&](const auto& kind) { return kind.plastic_step(old, now); }, *kind_);
 }
 
-double Domain::largest_eigenvalue(const VectorXd& inverse_mass, const AddUp& add_up) const {
-  return std::visit([&](const auto& kind) { return kind.largest_eigenvalue(inverse_mass, add_up); }, *kind_);
+double Domain::largest_eigenvalue(const VectorXd& inverse_mass, const AddUp& add_up,
+                                  const Admit& admit) const {
+  return std::visit([&](const auto& kind) { return kind.largest_eigenvalue(inverse_mass, add_up, admit); },
+                    *kind_);
 }
 
 double Domain::growth(const VectorXd& u, const QuadratureStates& states, const LawPath& path, double rate,

@@ -79,8 +79,10 @@ public:
   PlasticStep plastic_step(const QuadratureStates& old, const QuadratureStates& now) const;
 
   /// A bound from above of the largest λ of K x = λ M x, K the initial tangent, at most 1 % beyond it
-  /// [1/time²]. `inverse_mass`: of each dof, 0 where it is held.
-  double largest_eigenvalue(const Eigen::VectorXd& inverse_mass, const AddUp& add_up = {}) const;
+  /// [1/time²]. `inverse_mass`: of each dof, 0 where it is held. `admit` replaces displacements by those that
+  /// relations admit before K is multiplied with them; `add_up` then does the transpose of it, too.
+  double largest_eigenvalue(const Eigen::VectorXd& inverse_mass, const AddUp& add_up = {},
+                            const Admit& admit = {}) const;
 
   /// By what the largest λ may have grown since nothing had happened, where cells of finite strain are
   /// compressed or grow stiffer; below 1 where it has not grown, 0 without such cells. `rate`: λ at first, as

@@ -58,5 +58,7 @@ struct Wanted {
 /// Makes of what the cells of each rank add to a vector the whole one, on all ranks; none where this one has
 /// all cells.
 using AddUp = std::function<void(Eigen::VectorXd&)>;
+/// Replaces displacements, one a dof, by others.
+using Admit = std::function<void(Eigen::VectorXd&)>;
 
 } // namespace rubato::domain

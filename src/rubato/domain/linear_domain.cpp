@@ -91,10 +91,16 @@ void LinearDomain::multiply(const VectorXd& x, VectorXd& y) const {
     y.setZero();
 }
 
-double LinearDomain::largest_eigenvalue(const VectorXd& inverse_mass, const AddUp& add_up) const {
+double LinearDomain::largest_eigenvalue(const VectorXd& inverse_mass, const AddUp& add_up,
+                                        const Admit& admit) const {
+  VectorXd admitted;
   return linalg::largest_eigenvalue(
       [&](const VectorXd& x, VectorXd& y) {
-        multiply(x, y);
+        if (admit) {
+          admitted = x;
+          admit(admitted);
+        }
+        multiply(admit ? admitted : x, y);
         if (add_up)
           add_up(y);
       },

@@ -49,7 +49,8 @@ public:
   /// y = K x, both with an entry a dof, by this rank's part of K.
   void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
   PlasticStep plastic_step(const QuadratureStates&, const QuadratureStates&) const { return {}; }
-  double largest_eigenvalue(const Eigen::VectorXd& inverse_mass, const AddUp& add_up) const;
+  double largest_eigenvalue(const Eigen::VectorXd& inverse_mass, const AddUp& add_up,
+                            const Admit& admit) const;
   bool has_finite_strain() const { return false; }
   bool has_own_scheme() const { return false; }
   double growth(const Eigen::VectorXd&, const QuadratureStates&, const LawPath&, double, double) const {

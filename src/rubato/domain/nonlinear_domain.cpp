@@ -90,9 +90,16 @@ const SparseMatrix& NonlinearDomain::initial_tangent() const {
   return *initial_;
 }
 
-double NonlinearDomain::largest_eigenvalue(const VectorXd& inverse_mass, const AddUp& add_up) const {
+double NonlinearDomain::largest_eigenvalue(const VectorXd& inverse_mass, const AddUp& add_up,
+                                           const Admit& admit) const {
+  VectorXd admitted;
   return linalg::largest_eigenvalue(
-      [&](const VectorXd& x, VectorXd& y) {
+      [&](const VectorXd& given, VectorXd& y) {
+        if (admit) {
+          admitted = given;
+          admit(admitted);
+        }
+        const VectorXd& x = admit ? admitted : given;
         constant_.multiply(x, y);
         cells_->add_initial_product(x, y);
         if (add_up)

@@ -46,7 +46,8 @@ public:
   /// Throws InputError where there is none.
   const SparseMatrix& initial_tangent() const;
   PlasticStep plastic_step(const QuadratureStates& old, const QuadratureStates& now) const;
-  double largest_eigenvalue(const Eigen::VectorXd& inverse_mass, const AddUp& add_up) const;
+  double largest_eigenvalue(const Eigen::VectorXd& inverse_mass, const AddUp& add_up,
+                            const Admit& admit) const;
   bool has_finite_strain() const { return cells_->has_finite_strain(); }
   bool has_own_scheme() const { return cells_->has_own_scheme(); }
   double hourglass_energy(const Eigen::VectorXd& u) const { return ranks_.sum(cells_->hourglass_energy(u)); }

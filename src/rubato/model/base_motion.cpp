@@ -58,7 +58,7 @@ Eigen::VectorXd product_of_entries(double factor, const Eigen::VectorXd& a, cons
 Eigen::VectorXd inertia_along(const Model& model, int axis) {
   const auto along = along_axis(model, axis);
   if (model.lumped_mass.size() > 0)
-    return product_of_entries(-1, model.lumped_mass, along);
+    return product_of_entries(-1, model.lumped_mass, along) - reference_masses(model) * along;
   auto inertia = linalg::product_of(model.mass, along, model.sharing());
   for (auto& value : inertia)
     value = -value;

@@ -62,11 +62,13 @@ void check_shapes(const study::Study& study, const mesh::Mesh& mesh, std::span<c
 
 /// What supports and relations say of the displacements, and which ones are left unknown; faults where they
 /// contradict one another, a note where some of a relation's equations follow from others. Supports that
-/// have ended in the stage are left out, preloads that are locked then keep their shortening.
+/// have ended in the stage are left out, preloads that are locked then keep their shortening. Zones with a
+/// tie among `ties` are equations with multipliers, in their order the first of Reduction::multipliers.
 constraint::Reduction make_reduction(const study::Study& study, const mesh::Mesh& mesh,
                                      const domain::DofMap& dofs, std::span<const Reference> references,
                                      std::vector<Fault>& faults, std::vector<std::string>& notes,
-                                     std::span<const PreloadedCut> preloads = {}, const Stage& stage = {});
+                                     std::span<const PreloadedCut> preloads = {}, const Stage& stage = {},
+                                     std::span<const contact::Zone> ties = {});
 
 /// How a base moves that displacements are not counted from, s(t); nothing on axes along which it is at rest.
 constraint::Reduction::Base make_base(const study::Study& study, std::vector<Fault>& faults);
@@ -103,6 +105,8 @@ void add_connectors(const Model& model, SparseMatrix& stiffness);
 /// The masses of references, beside the matrix, and added to it.
 std::vector<AttachedMass> attached_masses(const Model& model);
 void add_reference_masses(const Model& model, SparseMatrix& mass);
+/// Their masses alone: a matrix with a row a dof, without entries where no reference has a mass.
+SparseMatrix reference_masses(const Model& model);
 /// Springs and dashpots by tables.
 std::vector<domain::LawSpring> law_springs(const Model& model);
 std::vector<domain::LawSpring> law_dampers(const Model& model);

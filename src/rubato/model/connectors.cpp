@@ -261,7 +261,11 @@ std::vector<AttachedMass> attached_masses(const Model& model) {
 
 void add_reference_masses(const Model& model, SparseMatrix& mass) {
   if (std::ranges::any_of(model.connectors, [](const auto& c) { return c.mass > 0; }))
-    linalg::add_scaled(1, sum_of(model, &Connector::mass), mass);
+    linalg::add_scaled(1, reference_masses(model), mass);
+}
+
+SparseMatrix reference_masses(const Model& model) {
+  return sum_of(model, &Connector::mass);
 }
 
 std::vector<domain::LawSpring> law_springs(const Model& model) {

@@ -120,7 +120,6 @@ void add_point_masses(Model& model) {
     }
 }
 
-/// Explicit runs take no relations, and so no references.
 void add_masses_of_references(Model& model) {
   if (model.sharing().is_first())
     add_reference_masses(model, model.mass);

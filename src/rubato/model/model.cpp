@@ -101,6 +101,22 @@ mesh::Mesh source_mesh(const study::MeshSource& source) {
   return mesh::with_groups(std::move(mesh), source.groups);
 }
 
+/// Explicit steps solve for no multipliers of contact: ties are relations there.
+bool ties_are_relations(const Model& model) {
+  return study::is_explicit(model.study.time.scheme) &&
+         std::ranges::any_of(model.zones, [](const auto& zone) { return zone.settings.tie; });
+}
+
+/// Makes the reduction, with the ties of zones that there are where they are relations; returns notes.
+std::vector<std::string> set_reduction(Model& model, const Stage& stage, std::vector<Fault>& faults) {
+  std::vector<std::string> notes;
+  const auto ties = ties_are_relations(model) ? std::span<const contact::Zone>(model.zones)
+                                              : std::span<const contact::Zone>();
+  model.reduction = make_reduction(model.study, model.mesh, model.dofs, model.references, faults, notes,
+                                   model.preloads, stage, ties);
+  return notes;
+}
+
 /// Everything but the matrices, on a mesh that is cut already.
 Model lay_out(const study::Study& asked, mesh::Mesh mesh, std::vector<PreloadedCut> preloads,
               const Stage& stage) {
@@ -129,14 +145,11 @@ Model lay_out(const study::Study& asked, mesh::Mesh mesh, std::vector<PreloadedC
   numbered.insert(numbered.end(), model.bulk.cells.begin(), model.bulk.cells.end());
   model.dofs = domain::number_dofs(model.mesh, numbered, element::component_count(study.physics));
   model.references = make_references(study, model.mesh, model.dofs, faults);
-  model.reduction = make_reduction(study, model.mesh, model.dofs, model.references, faults, model.notes,
-                                   model.preloads, stage);
+  auto notes_on_relations = set_reduction(model, stage, faults);
   model.heat = make_heat(study, model.mesh, model.dofs, model.bulk, faults);
   model.springs = make_springs(study, model.mesh, model.dofs, faults);
   model.connectors = make_connectors(study, model.mesh, model.dofs, model.references, faults);
   model.point_masses = make_point_masses(study, model.mesh, model.dofs, model.references, faults);
-  if (std::isinf(stage.released)) // later ones go on from what is
-    model.initial = make_initial_motion(study, model.mesh, model.dofs, model.reduction, faults);
   model.forces = make_forces(study, model.mesh, model.dofs, model.bulk, model.references, faults);
   model.followers = make_followers(study, model.mesh, model.dofs, model.bulk, faults);
   add_preload_forces(model, stage);
@@ -144,6 +157,11 @@ Model lay_out(const study::Study& asked, mesh::Mesh mesh, std::vector<PreloadedC
     model.arc_nodes = make_arc_nodes(study, model.mesh, model.dofs, faults);
   model.zones = make_zones(study, model.mesh, model.bulk, model.dofs, model.reduction, faults);
   carry_obstacles(model);
+  if (ties_are_relations(model) && faults.empty())
+    notes_on_relations = set_reduction(model, stage, faults);
+  std::ranges::move(notes_on_relations, std::back_inserter(model.notes));
+  if (std::isinf(stage.released)) // later ones go on from what is
+    model.initial = make_initial_motion(study, model.mesh, model.dofs, model.reduction, faults);
   model.probe_nodes = make_probe_nodes(study, model.mesh, model.dofs, model.references, faults, model.notes);
   model.probe_cells = make_probe_cells(study, model.mesh, model.bulk, faults, model.notes);
   model.probe_cuts =

@@ -24,7 +24,7 @@ const char* obstacle_to_parts(const Model& model) {
   if (!model.springs.empty() || !model.connectors.empty() || !model.gauges.empty())
     return "springs or dashpots";
   if (!model.references.empty() || !model.reduction.dependents().empty())
-    return "relations";
+    return "relations or ties";
   if (!model.study.preload.empty())
     return "preloads";
   if (model.study.base_motion)

@@ -11,6 +11,10 @@
 #include <string>
 #include <vector>
 
+namespace rubato::contact {
+struct Zone;
+} // namespace rubato::contact
+
 namespace rubato::model {
 
 /// Equations and what in the study says each: the source of an equation is the place of its path.
@@ -51,6 +55,9 @@ void add_held_reference(const Parts& parts, const study::Support& support, const
 /// by a shortening, or that is locked at one.
 void add_preload(const Parts& parts, const study::Preload& preload, const PreloadedCut& cut,
                  const std::optional<double>& locked, Equations& equations);
+/// Adds what a tie says of its nodes, with multipliers: the way of explicit runs, whose steps solve for no
+/// multipliers of contact.
+void add_tie(const Parts& parts, const contact::Zone& zone, Equations& equations);
 /// Adds a relation.
 void add_relation(const Parts& parts, const study::Relation& relation, Equations& equations,
                   std::vector<Fault>& faults);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rubato/contact/zone.hpp"
 #include "rubato/core/naming.hpp"
 #include "rubato/linalg/memory.hpp"
 #include "rubato/model/node_label.hpp"
@@ -58,6 +59,8 @@ public:
       std::ranges::copy(error.faults(), std::back_inserter(faults_));
     }
   }
+
+  void add(const contact::Zone& tied) { add_tie(parts_, tied, equations_); }
 
   constraint::Reduction reduction(std::vector<std::string>& notes) {
     std::vector<PrescribedDof> list;
@@ -218,6 +221,11 @@ private:
                                            std::vector<constraint::DependentDof> dependents) {
     std::map<int, int> numbers;
     std::vector<constraint::ImposedValue> right_sides;
+    for (std::size_t i = 0; i < equations_.list.size(); ++i)
+      if (equations_.list[i].has_multiplier) {
+        numbers.emplace(static_cast<int>(i), static_cast<int>(right_sides.size()));
+        right_sides.push_back(equations_.list[i].value);
+      }
     for (auto& dependent : dependents)
       for (auto& term : dependent.given) {
         const auto [entry, fresh] = numbers.emplace(term.dof, static_cast<int>(right_sides.size()));
@@ -240,7 +248,8 @@ private:
 constraint::Reduction make_reduction(const study::Study& study, const mesh::Mesh& mesh,
                                      const domain::DofMap& dofs, std::span<const Reference> references,
                                      std::vector<Fault>& faults, std::vector<std::string>& notes,
-                                     std::span<const PreloadedCut> preloads, const Stage& stage) {
+                                     std::span<const PreloadedCut> preloads, const Stage& stage,
+                                     std::span<const contact::Zone> ties) {
   const Parts parts{study, mesh, dofs, references};
   SupportCollector collector(parts, faults);
   for (std::size_t i = 0; i < study.supports.size(); ++i)
@@ -254,6 +263,9 @@ constraint::Reduction make_reduction(const study::Study& study, const mesh::Mesh
       locked = stage.shortening.size() > 0 ? stage.shortening[static_cast<Eigen::Index>(i)] : 0.0;
     collector.add(study.preload[i], preloads[i], locked);
   }
+  for (const auto& zone : ties)
+    if (zone.settings.tie)
+      collector.add(zone);
   auto reduction = collector.reduction(notes);
   if (auto base = make_base(study, faults);
       std::ranges::any_of(base, [](const auto& component) { return component.has_value(); }))

@@ -81,7 +81,7 @@ Trial ExplicitIntegrator::make(const GoesOn& goes_on) {
   trial.attempt = next();
   before_ = ExplicitProgress{motion_.memory(), limit_, energy_};
   if (stages_.go_to_begin_at(motion_.t(), {}))
-    motion_.take_supports(stages_.model().reduction);
+    motion_.take_supports(stages_.model());
   const auto steps_before = motion_.steps();
   auto& report = trial.report;
   try {
@@ -155,7 +155,7 @@ void ExplicitIntegrator::go_back() {
 /// What is kept of an instant at which supports end was kept before.
 void ExplicitIntegrator::take_stage_of(const ExplicitProgress& progress) {
   if (stages_.go_to_end_at(progress.motion.t, {}))
-    motion_.take_supports(stages_.model().reduction);
+    motion_.take_supports(stages_.model());
 }
 
 ExplicitProgress ExplicitIntegrator::progress() const {

@@ -121,5 +121,14 @@ TEST(Elimination, TakesADofThatOccursTwiceInAnEquation) {
   EXPECT_TRUE(found.dependents[0].of.empty());
 }
 
+/// Of two equations without right sides the one that has a multiplier is counted by what it gives.
+TEST(Elimination, CountsEquationsThatHaveMultipliers) {
+  std::vector<Equation> equations{{{{0, 1}, {1, -1}}, {}, 0}, {{{1, 1}, {2, -2}}, {}, 1, true}};
+  const auto found = eliminate({}, equations, instants);
+  ASSERT_EQ(found.dependents.size(), 2U);
+  for (const auto& dependent : found.dependents)
+    EXPECT_EQ(dependent.given, (std::vector<Term>{{1, 1}})) << dependent.dof;
+}
+
 } // namespace
 } // namespace rubato::constraint::elimination_test

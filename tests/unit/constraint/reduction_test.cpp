@@ -230,6 +230,22 @@ Reduction carried() {
   return reduction;
 }
 
+/// u_1 = 2 u_0 + r_0 − 3 r_1 and u_3 = r_1 + u_2, where u_2 is prescribed.
+TEST(Multipliers, AreWorksOfTheReactionByTheRightSides) {
+  const Reduction reduction(4, {{2, 1, ramp}},
+                            {{1, {{0, 2}}, {}, {{0, 1}, {1, -3}}}, {3, {}, {{2, 1}}, {{1, 1}}}},
+                            {{5, {}}, {7, {}}});
+  const VectorXd reaction = VectorXd::LinSpaced(4, 1, 4);
+  EXPECT_EQ(reduction.multipliers(reaction), Eigen::Vector2d(2, -3 * 2 + 4));
+  EXPECT_FALSE(reduction.moves(reduction.dependents()[0]));
+  EXPECT_TRUE(reduction.moves(reduction.dependents()[1]));
+}
+
+TEST(Multipliers, AreOfEquationsWhoseRightSidesVary) {
+  const Reduction reduction(2, {}, {{1, {{0, 1}}, {}, {{0, 1}}}}, {{5, ramp}});
+  EXPECT_TRUE(reduction.moves(reduction.dependents()[0]));
+}
+
 TEST(CarriedReduction, HasOfDisplacementsRelativeToItsBaseWhatItHadOfAll) {
   const auto reduction = carried();
   const double t = 3;

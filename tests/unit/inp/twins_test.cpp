@@ -193,6 +193,18 @@ time: {scheme: central_difference, end: 2e-4}
 )");
 }
 
+TEST(TwinsOfDecks, ExplicitStepsWithATieAndAnEquation) {
+  expect_twins("explicit_tie", R"(
+physics: plane_strain
+materials: {steel: {young: 2e11, poisson: 0, density: 7800}}
+supports: [{on: GROUND, fix: y}, {on: SIDES, fix: x}]
+loads: [{pressure: {on: E12.P3, value: 1e6}}, {pressure: {on: E13.P3, value: 1e6}}, {pressure: {on: E14.P3, value: 1e6}}]
+contact: {SEAM: {master: LOW_TOP, slave: HIGH_BOTTOM, tie: true}}
+relations: {lever: {equation: {terms: [{on: N24, y: 1}, {on: N27, y: 2}]}}}
+time: {scheme: central_difference, end: 2e-4}
+)");
+}
+
 TEST(TwinsOfDecks, EchoesAreDecksOfTheSameStudies) {
   for (const auto& file : test::all_inp_files()) {
     const bool of_modes = file.stem() == "modes";

@@ -49,6 +49,8 @@ ExplicitMotion::Memory ExplicitMotion::memory() const {
   }
   for (const auto& support : supports_)
     memory.reactions.push_back(support.reaction);
+  for (const auto& relation : relations_)
+    memory.reactions.push_back(relation.reaction);
   for (const auto& zone : contact_)
     memory.zones.push_back(zone.memory());
   return memory;
@@ -77,6 +79,9 @@ void ExplicitMotion::restore(const Memory& memory) {
   }
   for (std::size_t i = 0; i < supports_.size(); ++i)
     supports_[i].reaction = memory.reactions.at(i);
+  for (std::size_t i = 0; i < relations_.size(); ++i)
+    relations_[i].reaction = memory.reactions.at(supports_.size() + i);
+  find_given();
   for (std::size_t z = 0; z < contact_.size(); ++z)
     contact_[z].restore(memory.zones.at(z), {&model_->mesh, &model_->dofs, &u_, &u_, t_, t_});
 }
@@ -177,18 +182,34 @@ State ExplicitMotion::state() const {
   if (damping_)
     state.residual_force -= whole_sum(damping_force_);
   state.contact_force = contact_force_;
-  state.reaction = reduction_->reaction(unbalance + model_->lumped_mass.cwiseProduct(a));
+  state.reaction = reduction_->reaction(unbalance + mass_.times(a));
+  add_contact(state.reaction, state);
   state.motion = {std::move(u), std::move(v), std::move(a)};
   state.bulk_points = std::move(bulk_points);
-  for (const auto& zone : contact_)
-    state.zones.push_back(zone.state());
   return state;
+}
+
+/// Zones in the order of the model; forces of ties are contact forces, not reactions.
+void ExplicitMotion::add_contact(const VectorXd& constraint_forces, State& state) const {
+  const VectorXd multipliers = reduction_->multipliers(constraint_forces);
+  auto tied = states_of_ties(*model_, ties_, multipliers);
+  state.zones.resize(model_->zones.size());
+  for (std::size_t i = 0; i < contact_.size(); ++i)
+    state.zones[touching_[i]] = contact_[i].state();
+  for (std::size_t i = 0; i < ties_.size(); ++i)
+    state.zones[ties_[i].zone] = std::move(tied[i]);
+  if (ties_.empty())
+    return;
+  const VectorXd forces = forces_of_ties(*model_, ties_, multipliers);
+  state.contact_force += forces;
+  state.residual_force += forces;
+  state.reaction += forces;
 }
 
 int ExplicitMotion::points_in_contact() const {
   State state;
-  for (const auto& zone : contact_)
-    state.zones.push_back(zone.state());
+  state.contact_force = state.residual_force = state.reaction = VectorXd::Zero(u_.size());
+  add_contact(state.reaction, state);
   return step::points_in_contact(state);
 }
 

@@ -29,7 +29,7 @@ struct ExplicitMemory {
   std::int64_t steps = 0;
   Eigen::VectorXd u, v, residual_force, contact_force, damping_force;
   std::vector<double> load_factors, load_displacements; ///< one a load
-  std::vector<double> reactions;                        ///< one a support that moves
+  std::vector<double> reactions;                        ///< one a support that moves, one a dependent dof
   std::vector<contact::ExplicitZoneMemory> zones;
   EnergyLedger energy;
   domain::QuadratureStates bulk_points;

@@ -6,6 +6,7 @@
 #include "rubato/domain/heat.hpp"
 #include "rubato/linalg/lanczos.hpp"
 #include "rubato/load/follower_pressure.hpp"
+#include "rubato/model/build.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/model/model_forces.hpp"
 #include "rubato/model/node_label.hpp"
@@ -50,15 +51,28 @@ void require_forces(const Model& model, const domain::Failed& failed) {
                                  element::described(failed->reason)));
 }
 
+/// Of each dof by itself, 0 where nothing unknown moves it.
 VectorXd inverse_masses(const Model& model, const constraint::Reduction& reduction) {
   VectorXd inverse = VectorXd::Zero(model.lumped_mass.size());
-  for (const int dof : reduction.free_dofs()) {
+  for (int dof = 0; dof < static_cast<int>(inverse.size()); ++dof) {
+    if (reduction.is_prescribed(dof))
+      continue;
     if (!(model.lumped_mass[dof] > 0))
       throw InputError("node " + model::node_label(model.mesh, model.node_of(dof)) +
                        " has no mass: every cell of a dynamic run needs a positive density");
     inverse[dof] = 1 / model.lumped_mass[dof];
   }
   return inverse;
+}
+
+/// Those of unknowns that relations do not couple, 0 elsewhere.
+VectorXd uncoupled(VectorXd inverse_mass, const constraint::Reduction& reduction,
+                   const ConstrainedMass& mass) {
+  for (const int dof : mass.coupled())
+    inverse_mass[dof] = 0;
+  for (const auto& dependent : reduction.dependents())
+    inverse_mass[dependent.dof] = 0;
+  return inverse_mass;
 }
 
 /// v −= h M⁻¹ r, u += h v in one sweep: vectors cost memory traffic, too.
@@ -94,18 +108,24 @@ double Spectrum::stable_step() const {
 
 ExplicitMotion::ExplicitMotion(const Model& model)
     : model_(&model), reduction_(std::make_shared<const constraint::Reduction>(model.reduction)),
-      inverse_mass_(inverse_masses(model, model.reduction)), counted_mass_(counted_once(model.lumped_mass)),
-      surface_(surface_dofs(model)), t_(model.study.time.begin), u_(model.initial.displacement),
-      v_(model.initial.velocity), bulk_points_(model.domain.initial_states()),
-      unbalance_(VectorXd::Zero(inverse_mass_.size())), contact_force_(unbalance_) {
+      inverse_mass_(inverse_masses(model, model.reduction)),
+      mass_(model.lumped_mass, model::reference_masses(model), model.reduction),
+      counted_mass_(counted_once(model.lumped_mass)), ties_(tied_zones(model)), surface_(surface_dofs(model)),
+      t_(model.study.time.begin), u_(model.initial.displacement), v_(model.initial.velocity),
+      bulk_points_(model.domain.initial_states()), unbalance_(VectorXd::Zero(inverse_mass_.size())),
+      contact_force_(unbalance_) {
   if (model.has_damping) {
     damping_.emplace(model.damping, model.dofs.components, model.threads);
     damping_force_ = unbalance_;
   }
   find_spectrum();
-  for (const auto& zone : model.zones)
-    contact_.emplace_back(zone, model.dofs,
-                          contact::penalty_stiffness(zone, model.dofs, inverse_mass_, spectrum_.stiffness));
+  for (std::size_t z = 0; z < model.zones.size(); ++z)
+    if (const auto& zone = model.zones[z]; !zone.settings.tie) {
+      contact_.emplace_back(
+          zone, model.dofs,
+          contact::penalty_stiffness(zone, model.dofs, inverse_mass_, unrelated_stiffness_));
+      touching_.push_back(z);
+    }
   reduction_->impose(t_, u_);
   collect_supports();
   collect_loads();
@@ -144,27 +164,45 @@ void ExplicitMotion::survey() {
   survey_ = {growth, std::max(1, static_cast<int>(std::min<double>(wanted, most))), 0};
 }
 
-/// Before this rank forgets the masses that it does not know the motion of.
+/// Before this rank forgets the masses that it does not know the motion of. Masses of references are left
+/// out: with them the eigenvalues are lower.
 void ExplicitMotion::find_spectrum() {
   domain::AddUp add_up;
+  domain::Admit admit;
   if (model_->parts)
     add_up = [&](VectorXd& sum) {
       model_->parts->add_up(sum);
       model_->parts->make_whole(sum);
     };
-  spectrum_.stiffness = model_->domain.largest_eigenvalue(inverse_mass_, add_up);
+  unrelated_stiffness_ = spectrum_.stiffness = model_->domain.largest_eigenvalue(inverse_mass_, add_up);
+  const auto bare = mass_.has_attached() ? ConstrainedMass(model_->lumped_mass, {}, *reduction_) : mass_;
+  if (bare.couples()) {
+    admit = [&](VectorXd& x) { bare.admit(x); };
+    add_up = [&](VectorXd& sum) { bare.admit_forces(sum); };
+    spectrum_.stiffness = model_->domain.largest_eigenvalue(inverse_mass_, add_up, admit);
+  }
   if (damping_)
-    spectrum_.damping = linalg::largest_eigenvalue(
-        [&](const VectorXd& x, VectorXd& y) {
-          damping_->multiply(x, y);
-          if (add_up)
-            add_up(y);
-        },
-        inverse_mass_);
+    spectrum_.damping = largest_damping(add_up, admit);
   if (model_->parts)
     for (Index dof = 0; dof < inverse_mass_.size(); ++dof)
       if (!model_->parts->knows(static_cast<int>(dof)))
         inverse_mass_[dof] = 0;
+  uncoupled_ = uncoupled(inverse_mass_, *reduction_, mass_);
+}
+
+double ExplicitMotion::largest_damping(const domain::AddUp& add_up, const domain::Admit& admit) const {
+  VectorXd admitted;
+  return linalg::largest_eigenvalue(
+      [&](const VectorXd& x, VectorXd& y) {
+        if (admit) {
+          admitted = x;
+          admit(admitted);
+        }
+        damping_->multiply(admit ? admitted : x, y);
+        if (add_up)
+          add_up(y);
+      },
+      inverse_mass_);
 }
 
 /// What is summed over ranks.
@@ -206,25 +244,36 @@ domain::Failed ExplicitMotion::agreed(const domain::Failed& failed) const {
 
 void ExplicitMotion::collect_supports() {
   supports_.clear();
+  relations_.clear();
   for (const auto& prescribed : reduction_->prescribed())
     if (reduction_->moves(prescribed))
       supports_.push_back({&prescribed});
+  for (const auto& dependent : reduction_->dependents())
+    relations_.push_back({&dependent, reduction_->moves(dependent)});
+  find_given();
+}
+
+/// What relations give at t without unknowns.
+void ExplicitMotion::find_given() {
+  for (auto& relation : relations_)
+    relation.given = reduction_->given_part(*relation.dependent, t_);
 }
 
 /// The velocity now stays what it is, so that half a step before moves with the acceleration. So does the
 /// kinetic energy there, which the balance must not take for a gain.
-void ExplicitMotion::take_supports(const constraint::Reduction& reduction) {
+void ExplicitMotion::take_supports(const Model& stage) {
   const double kinetic = kinetic_energy();
   v_ += h_ / 2 * acceleration();
-  reduction_ = std::make_shared<const constraint::Reduction>(reduction);
-  inverse_mass_ = inverse_masses(*model_, reduction);
+  reduction_ = std::make_shared<const constraint::Reduction>(stage.reduction);
+  inverse_mass_ = inverse_masses(*model_, *reduction_);
+  mass_ = ConstrainedMass(model_->lumped_mass, model::reference_masses(*model_), *reduction_);
+  ties_ = tied_zones(stage);
   find_spectrum();
   collect_supports();
-  v_ -= h_ / 2 * acceleration();
+  impose_velocities();
+  v_ -= h_ / 2 * unknown_acceleration();
   energy_.kinetic += kinetic - kinetic_energy();
-  if (h_ > 0)
-    for (auto& support : supports_)
-      support.reaction = reaction_of(support);
+  find_reactions();
 }
 
 void ExplicitMotion::collect_loads() {
@@ -260,9 +309,9 @@ domain::Failed ExplicitMotion::advance(double end, int steps) {
   return {};
 }
 
-/// No entry of K is larger than λ_K m.
+/// No entry of K is larger than λ_K m, λ_K without relations.
 double ExplicitMotion::rounding_since(const VectorXd& before) const {
-  return spectrum_.stiffness * rounding_of_work(counted_mass_, before, u_);
+  return unrelated_stiffness_ * rounding_of_work(counted_mass_, before, u_);
 }
 
 /// The velocity half a step before t moves with the length of the step. So does the kinetic energy there,
@@ -271,23 +320,65 @@ void ExplicitMotion::set_step(double step) {
   if (std::abs(step - h_) <= rounding * h_)
     return;
   const double kinetic = kinetic_energy();
-  v_ += (h_ - step) / 2 * acceleration();
+  v_ += h_ / 2 * unknown_acceleration();
   h_ = step;
+  impose_velocities();
+  v_ -= h_ / 2 * unknown_acceleration();
+  energy_.kinetic += kinetic - kinetic_energy();
+  find_reactions();
+}
+
+/// Half a step before t, of what supports and relations give.
+void ExplicitMotion::impose_velocities() {
+  if (!(h_ > 0))
+    return;
   for (auto& support : supports_) {
     const int dof = support.prescribed->dof;
     v_[dof] = (u_[dof] - reduction_->displacement(*support.prescribed, t_ - h_)) / h_;
   }
-  energy_.kinetic += kinetic - kinetic_energy();
-  for (auto& support : supports_)
-    support.reaction = reaction_of(support);
+  reduction_->relate(v_);
+  for (const auto& relation : relations_)
+    if (relation.moves)
+      v_[relation.dependent->dof] +=
+          (relation.given - reduction_->given_part(*relation.dependent, t_ - h_)) / h_;
 }
 
-domain::Failed ExplicitMotion::step(double end) {
+/// The next velocities of what supports and relations move; unknowns that are not coupled follow.
+void ExplicitMotion::move_related(double end) {
+  if (mass_.couples()) {
+    VectorXd a = VectorXd::Zero(u_.size());
+    mass_.respond(related_force(), a);
+    for (const int dof : mass_.coupled())
+      v_[dof] -= h_ * a[dof];
+  }
   for (const auto& support : supports_) {
     const int dof = support.prescribed->dof;
     v_[dof] = (reduction_->displacement(*support.prescribed, end) - u_[dof]) / h_;
   }
-  central_difference_update(h_, inverse_mass_, unbalance_, v_, u_);
+  reduction_->relate(v_);
+  for (auto& relation : relations_) {
+    if (!relation.moves)
+      continue;
+    const double given = reduction_->given_part(*relation.dependent, end);
+    relation.change = given - relation.given;
+    relation.given = given;
+    v_[relation.dependent->dof] += relation.change / h_;
+  }
+}
+
+/// Without the rounding that sums of steps leave in relations.
+void ExplicitMotion::hold_relations() {
+  if (relations_.empty())
+    return;
+  reduction_->relate(u_);
+  for (const auto& relation : relations_)
+    u_[relation.dependent->dof] += relation.given;
+}
+
+domain::Failed ExplicitMotion::step(double end) {
+  move_related(end);
+  central_difference_update(h_, uncoupled_, unbalance_, v_, u_);
+  hold_relations();
   const double begin = std::exchange(t_, end);
   ++steps_;
   ++survey_.made;
@@ -309,12 +400,7 @@ domain::Failed ExplicitMotion::step(double end) {
     energy_.damping += h_ / 2 * (damping_power + damping_force_.dot(v_));
   if (has_followers())
     energy_.external_work += h_ / 2 * (follower_power + follower_force_.dot(v_));
-  for (auto& support : supports_) {
-    const double reaction = reaction_of(support);
-    if (owns(support.prescribed->dof))
-      energy_.support_work += (support.reaction + reaction) / 2 * h_ * v_[support.prescribed->dof];
-    support.reaction = reaction;
-  }
+  enter_supports();
   return {};
 }
 
@@ -376,87 +462,6 @@ void ExplicitMotion::apply(Load& load) {
   energy_.external_work += (load.factor + factor) / 2 * (displacement - load.displacement);
   load.factor = factor;
   load.displacement = displacement;
-}
-
-/// [U_held] − {u}·[f]
-void ExplicitMotion::enter_heat(double from, double to) {
-  const auto* heat = model_->domain.heat();
-  if (heat == nullptr)
-    return;
-  VectorXd now = heat->force(to);
-  const VectorXd mean = u_ - h_ / 2 * v_;
-  energy_.heat += heat->held_energy(to) - heat->held_energy(from) - mean.dot(now - heat_force_);
-  heat_force_.swap(now);
-}
-
-/// What half of the contact forces of now do between two instants, on the bodies and by obstacles that move.
-void ExplicitMotion::enter_contact(double from, double to) {
-  if (!counts())
-    return;
-  double power = 0;
-  for (const int dof : surface_)
-    power += contact_force_[dof] * v_[dof];
-  const double given = work_of_obstacles(from, to);
-  energy_.impact += h_ / 2 * power + given;
-  energy_.support_work += given;
-}
-
-double ExplicitMotion::work_of_obstacles(double from, double to) const {
-  double sum = 0;
-  for (std::size_t z = 0; z < contact_.size(); ++z)
-    if (const auto& obstacle = model_->zones[z].obstacle; obstacle && obstacle->moves())
-      sum += contact_[z].work_of_obstacle({&model_->mesh, &model_->dofs, &u_, &u_, to, from}, v_, h_) / 2;
-  return sum;
-}
-
-double ExplicitMotion::reaction_of(const MovingSupport& support) const {
-  const int dof = support.prescribed->dof;
-  return unbalance_[dof] + model_->lumped_mass[dof] * imposed_acceleration(support);
-}
-
-double ExplicitMotion::imposed_acceleration(const MovingSupport& support) const {
-  const int dof = support.prescribed->dof;
-  return ((reduction_->displacement(*support.prescribed, t_ + h_) - u_[dof]) / h_ - v_[dof]) / h_;
-}
-
-VectorXd ExplicitMotion::acceleration() const {
-  VectorXd a = -inverse_mass_.cwiseProduct(unbalance_);
-  if (h_ > 0)
-    for (const auto& support : supports_)
-      a[support.prescribed->dof] = imposed_acceleration(support);
-  return a;
-}
-
-EnergyLedger ExplicitMotion::energy() const {
-  auto ledger = energy_;
-  ledger.kinetic = kinetic_energy();
-  ledger.hourglass = model_->domain.hourglass_energy(u_);
-  ledger.strain = strain_energy() - ledger.hourglass;
-  if (const auto* heat = model_->domain.heat())
-    ledger.held_heat = heat->held_energy(t_);
-  for (const auto& zone : contact_)
-    if (counts()) {
-      ledger.contact += zone.stored();
-      ledger.friction += zone.dissipated();
-    }
-  ledger.impact -= ledger.contact + ledger.friction;
-  return summed(ledger);
-}
-
-double ExplicitMotion::kinetic_energy() const {
-  const VectorXd after = v_ + h_ * acceleration();
-  return energy_.kinetic + 0.5 * v_.dot(counted_mass_.cwiseProduct(after));
-}
-
-/// Of the present states, which have no records: that of nonlinear cells is the path's, hourglasses with it.
-double ExplicitMotion::strain_energy() const {
-  const auto& domain = model_->domain;
-  if (!domain.is_linear())
-    return domain.energy(u_, path_.forces, t_, bulk_points_) + path_.stored;
-  VectorXd internal;
-  domain::QuadratureStates unchanged;
-  domain.evaluate({u_, u_, t_, t_}, bulk_points_, unchanged, {.forces = &internal});
-  return domain.energy(u_, internal, t_, bulk_points_);
 }
 
 } // namespace rubato::step

@@ -16,10 +16,13 @@
 
 #include "rubato/contact/explicit_penalty.hpp"
 #include "rubato/domain/cell_failure.hpp"
+#include "rubato/domain/evaluation.hpp"
 #include "rubato/linalg/block_matrix.hpp"
 #include "rubato/model/fwd.hpp"
 #include "rubato/step/energy_ledger.hpp"
+#include "rubato/step/explicit/constrained_mass.hpp"
 #include "rubato/step/explicit/explicit_memory.hpp"
+#include "rubato/step/explicit/tie_forces.hpp"
 #include "rubato/step/state.hpp"
 
 #include <Eigen/Core>
@@ -30,6 +33,7 @@
 #include <vector>
 
 namespace rubato::constraint {
+struct DependentDof;
 struct PrescribedDof;
 class Reduction;
 } // namespace rubato::constraint
@@ -69,8 +73,9 @@ public:
   /// and energies have no meaning.
   domain::Failed advance(double end, int steps);
 
-  /// Goes on with other supports: the forces of those that have ended are gone at once.
-  void take_supports(const constraint::Reduction& reduction);
+  /// Goes on with the supports, relations and ties of a later stage of the model: the forces of those that
+  /// have ended are gone at once.
+  void take_supports(const model::Model& stage);
 
   using Survey = ExplicitSurvey;
 
@@ -106,6 +111,14 @@ private:
     const constraint::PrescribedDof* prescribed;
     double reaction = 0;
   };
+  /// A dependent dof.
+  struct Relation {
+    const constraint::DependentDof* dependent;
+    bool moves = false;  ///< whether what it is given changes with time
+    double given = 0;    ///< its g at t [length]
+    double change = 0;   ///< of g in the last step; where it moves
+    double reaction = 0; ///< where it moves
+  };
 
   Eigen::VectorXd counted_once(Eigen::VectorXd values) const;
   bool owns(int dof) const;
@@ -114,8 +127,13 @@ private:
   double held_by(const Load& load) const;
   void collect_loads();
   void collect_supports();
+  void find_given();
   void find_spectrum();
+  double largest_damping(const domain::AddUp& add_up, const domain::Admit& admit) const;
   void set_step(double step);
+  void impose_velocities();
+  void move_related(double end);
+  void hold_relations();
   domain::Failed step(double end);
   double rounding_since(const Eigen::VectorXd& before) const;
   void deform();
@@ -134,20 +152,33 @@ private:
   void enter_heat(double from, double to);
   void enter_contact(double from, double to);
   double work_of_obstacles(double from, double to) const;
-  double reaction_of(const MovingSupport& support) const;
+  void enter_supports();
+  void find_reactions();
   double imposed_acceleration(const MovingSupport& support) const;
+  double given_acceleration(const Relation& relation) const;
+  Eigen::VectorXd given_accelerations() const;
+  Eigen::VectorXd related_force() const;
+  Eigen::VectorXd unknown_acceleration() const;
   Eigen::VectorXd acceleration() const;
+  void add_contact(const Eigen::VectorXd& constraint_forces, State& state) const;
 
   const model::Model* model_;
   std::shared_ptr<const constraint::Reduction> reduction_; ///< that of the model, until supports end
   std::optional<linalg::SymmetricBlockMatrix> damping_;
-  Eigen::VectorXd inverse_mass_; ///< 0 where held, and where this rank does not know the motion
+  /// Of each dof by itself; 0 where held, and where this rank does not know the motion.
+  Eigen::VectorXd inverse_mass_;
+  ConstrainedMass mass_;
+  Eigen::VectorXd uncoupled_;    ///< of inverse_mass_ the unknowns that relations do not couple; else 0
   Eigen::VectorXd counted_mass_; ///< 0 where another rank counts it
   std::vector<Load> loads_;
   std::vector<MovingSupport> supports_;
-  std::vector<contact::ExplicitPenalty> contact_;
-  std::vector<int> surface_; ///< unknowns that contact forces act on
-  Spectrum spectrum_;        ///< where nothing has happened
+  std::vector<Relation> relations_; ///< one a dependent dof
+  std::vector<TiedZone> ties_;
+  std::vector<contact::ExplicitPenalty> contact_; ///< of zones without a tie
+  std::vector<std::size_t> touching_;             ///< their numbers
+  std::vector<int> surface_;                      ///< unknowns that contact forces act on
+  Spectrum spectrum_;                             ///< where nothing has happened
+  double unrelated_stiffness_ = 0; ///< λ_K without relations: of springs of contact and of rounding
 
   double t_ = 0;
   double h_ = 0; ///< of the step before, and of the next one

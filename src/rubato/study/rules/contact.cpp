@@ -166,7 +166,6 @@ private:
                                   "scheme",
                                   key, scheme));
     };
-    refuse(zone_.tie, "tie");
     refuse(zone_.bilateral, "bilateral");
     refuse(zone_.freeze, "freeze");
   }

@@ -50,8 +50,8 @@ void check_preloads(Rules& rules) {
   if (is_explicit(rules.study.time.scheme))
     rules.broken(
         {"preload", "time.scheme"},
-        fmt::format("the scheme {} takes no relations, which the sides of a cut have, expected an implicit "
-                    "scheme such as hht",
+        fmt::format("the scheme {} does not lock the sides of a cut, which stops them at once, expected an "
+                    "implicit scheme such as hht",
                     word_of(scheme_words, rules.study.time.scheme)));
   for (const auto& zone : rules.study.contact)
     if (zone.all)

@@ -132,10 +132,6 @@ void check_relations(Rules& rules) {
     names.push_back(relation.name);
     check_relation(rules, relation, fmt::format("{}.{}", path, word_of(relation_words, relation.kind)));
   }
-  if (!rules.study.relations.empty() && is_explicit(rules.study.time.scheme))
-    rules.broken({"relations", "time.scheme"},
-                 fmt::format("the scheme {} takes no relations, expected an implicit scheme such as hht",
-                             word_of(scheme_words, rules.study.time.scheme)));
 }
 
 } // namespace rubato::study

@@ -239,11 +239,6 @@ void check_rotated(Rules& rules, const Support& support, const std::string& path
 void check_along(Rules& rules, const Support& support, const std::string& path) {
   const auto& along = *support.along;
   rules.motion(path + ".value", along.value);
-  if (is_explicit(rules.study.time.scheme))
-    rules.broken({path + ".along", "time.scheme"},
-                 fmt::format("the scheme {} holds nodes along the axes only, expected fix, x, y or z, or an "
-                             "implicit scheme such as hht",
-                             word_of(scheme_words, rules.study.time.scheme)));
   if (along.normal)
     return;
   for (std::size_t axis = 0; axis < along.direction.size(); ++axis)
