@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "no function is called 'h'"},
         BadPart{"preload: {b: {cut: {point: [0, 0], normal: [0, 1]}, force: 1, lock: 0}}",
                 "preload.b.lock: found 0, expected an instant after the begin of the run, 0"},
-        BadPart{"preload: {b: {cut: {point: [0, 0], normal: [0, 1]}, force: 1}}",
+        BadPart{"preload: {b: {cut: {point: [0, 0], normal: [0, 1]}, force: 1, lock: 1}}",
                 "does not lock the sides of a cut",
                 "{scheme: central_difference, record: 1, end: 2}"},
         BadPart{"preload: {b: {cut: {point: [0, 0], normal: [1, 0]}, force: 1}}",

@@ -60,7 +60,7 @@ void ExplicitMotion::enter_supports() {
 void ExplicitMotion::find_reactions() {
   if (!(h_ > 0))
     return;
-  if (!mass_.couples()) {
+  if (relations_.empty() && !mass_.has_attached()) {
     for (auto& support : supports_) {
       const int dof = support.prescribed->dof;
       support.reaction = unbalance_[dof] + model_->lumped_mass[dof] * imposed_acceleration(support);

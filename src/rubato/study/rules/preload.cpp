@@ -27,6 +27,12 @@ void check_preload(Rules& rules, const Preload& preload, const std::string& path
     return;
   rules.number(path + ".lock", *preload.lock);
   const auto& time = rules.study.time;
+  if (is_explicit(time.scheme))
+    rules.broken(
+        {path + ".lock", "time.scheme"},
+        fmt::format("the scheme {} does not lock the sides of a cut, which stops them at once, expected "
+                    "no lock or an implicit scheme such as hht",
+                    word_of(scheme_words, time.scheme)));
   if (rules.has_time() && *preload.lock <= time.begin && time.start != StartKind::from_run)
     rules.broken(
         {path + ".lock", "time.begin"},
@@ -47,12 +53,6 @@ void check_preloads(Rules& rules) {
   }
   if (rules.study.preload.empty())
     return;
-  if (is_explicit(rules.study.time.scheme))
-    rules.broken(
-        {"preload", "time.scheme"},
-        fmt::format("the scheme {} does not lock the sides of a cut, which stops them at once, expected an "
-                    "implicit scheme such as hht",
-                    word_of(scheme_words, rules.study.time.scheme)));
   for (const auto& zone : rules.study.contact)
     if (zone.all)
       rules.broken(

@@ -12,6 +12,7 @@
 #include "rubato/step/explicit/explicit_motion.hpp"
 
 #include <Eigen/Core>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support/dense.hpp"
@@ -154,12 +155,18 @@ std::vector<Related> related() {
                               ", {on: cap, x: {value: 0.1, function: swing}}]\nrelations: {cap: "
                               "{distributed: {on: roof}}}\n"},
       {"MovingSupportBehindPairs",
-       "supports: [{on: ground, fix: [x, y, z]}, {on: west, x: {value: 0.1, function: swing}}]\nrelations: "
-       "{cell: {pairs: {on: east, with: west, difference: {y: {value: 0.01, function: swing}}}}}\n"},
+       "supports: [{on: ground, fix: [y, z]}, {on: west, x: {value: 0.1, function: swing}}]\nrelations: "
+       "{cell: {pairs: {on: east, with: west, in: x, difference: {x: {value: 0.01, function: swing}}}}}\n"},
       {"Oblique", "supports: [{on: ground, along: [0.1, 1, 0.2]}, {on: west, along: [1, 0.3, 0.2], value: "
                   "{value: 0.05, function: swing}}]\nrelations: {cap: {rigid: {on: roof}}}\n"},
       {"Embedded", held + "relations: {pin: {embedded: {at: [0.4, 0.7, 0.3], in: low}}, foot: {equal: {on: "
                           "sole}}}\nmasses: [{on: pin, mass: 0.2}]\n"},
+      {"PreloadByForce", held +
+                             "preload: {bolt: {cut: {point: [0.5, 1, 0.5], normal: [0, 1, 0], cells: low}, "
+                             "force: 3, function: kick}}\n"},
+      {"PreloadByShortening",
+       held + "preload: {bolt: {cut: {point: [0.5, 1, 0.5], normal: [0, 1, 0], cells: low}, "
+              "displacement: 0.01, function: swing}}\n"},
       {"Damped", held + "relations: {cap: {rigid: {on: roof}}}\n"}};
 }
 
@@ -253,7 +260,7 @@ TEST_P(ExplicitRelations, HoldAndCloseTheirEnergy) {
   }
   EXPECT_GT(most, 1e-6);
   const auto state = motion.state();
-  EXPECT_LT(model.reduction.gather(state.reaction).lpNorm<Eigen::Infinity>(),
+  EXPECT_LE(model.reduction.gather(state.reaction).lpNorm<Eigen::Infinity>(),
             1e-11 * state.reaction.lpNorm<Eigen::Infinity>());
 }
 
@@ -262,6 +269,7 @@ TEST_P(ExplicitRelations, HaveABoundOfTheirStableStep) {
   const auto model = test::model_of(deck_of(GetParam()), changes_of(GetParam()));
   const double exact = Dense(model).largest_eigenvalue();
   const double found = ExplicitMotion(model).spectrum().stiffness;
+  RecordProperty("bound_over_exact", fmt::format("{:.5f}", found / exact));
   EXPECT_GE(found, exact * (1 - 1e-10));
   EXPECT_LE(found, exact / 0.99 * (1 + 1e-10));
 }
@@ -291,9 +299,8 @@ INSTANTIATE_TEST_SUITE_P(Kinds, ExplicitRelations, testing::ValuesIn(related()),
 TEST(ARigidBody, DoesNotShortenTheStep) {
   const auto changes = [](const std::string& young) {
     return std::vector<Setting>{
-        {"materials", "{soft: {young: 100, poisson: 0.3, density: 1, cells: low}, stiff: "
-                      "{young: " +
-                          young + ", poisson: 0.3, density: 1, cells: up}}"}};
+        {"materials.any.cells", "low"},
+        {"materials.stiff", "{young: " + young + ", poisson: 0.3, density: 1, cells: up}"}};
   };
   const std::string deck = column + held + "relations: {block: {rigid: {on: up}}}\n";
   const auto soft = test::model_of(deck, changes("100"));
@@ -329,9 +336,9 @@ time: {scheme: central_difference, end: 1, record: 1}
 
 /// A support on related nodes ends: the motion goes on without a jump, the balance stays closed.
 TEST(AReleasedSupport, LeavesItsRelationsInPlace) {
-  const auto model = test::model_of(
-      column + "supports: [{on: ground, fix: [x, y, z]}, {on: west, x: {value: 0.1, function: swing}, until: "
-               "0.1}]\nrelations: {cell: {pairs: {on: east, with: west}}}\n");
+  const auto model =
+      test::model_of(column + "supports: [{on: ground, fix: [y, z]}, {on: west, x: {value: 0.1, function: "
+                              "swing}, until: 0.1}]\nrelations: {cell: {pairs: {on: east, with: west}}}\n");
   ExplicitMotion motion(model);
   const auto steps = [&](double length) {
     return static_cast<int>(std::ceil(length / (0.9 * motion.spectrum().stable_step())));
