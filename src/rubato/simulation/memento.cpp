@@ -28,9 +28,12 @@ bool remembers_alike(const model::Model& model, const step::State& state) {
 
 namespace {
 
+/// Ties of explicit runs have no springs.
 bool fits(const model::Model& model, const ExplicitProgress& progress) {
+  const auto with_springs =
+      std::ranges::count_if(model.zones, [](const auto& zone) { return !zone.settings.tie; });
   return progress.motion.u.size() == model.dofs.dof_count &&
-         progress.motion.zones.size() == model.zones.size();
+         progress.motion.zones.size() == static_cast<std::size_t>(with_springs);
 }
 
 } // namespace

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Explicit runs: the steps they choose, what they refuse, and what they write.
 #include "rubato/deck/read.hpp"
+#include "rubato/results/checkpoint.hpp"
 #include "rubato/results/csv.hpp"
 #include "rubato/run/run_study.hpp"
+#include "rubato/simulation/simulation.hpp"
 
 #include <gtest/gtest.h>
 
 #include "support/faults.hpp"
+#include "support/model_of.hpp"
 #include "support/scratch_folder.hpp"
+#include "support/simulated_blocks.hpp"
 #include "support/two_blocks.hpp"
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -149,6 +154,48 @@ TEST_F(ExplicitRun, StopsWhenItIsAsked) {
   const auto result = run_study(explicit_study(), folder_ / "run", watch);
   EXPECT_EQ(result.status, Status::interrupted);
   EXPECT_EQ(table("probes.csv").rows.size(), 4u);
+}
+
+/// A tied bar over a floor that it rubs on, with a rigid end that has a mass; a support of the end is gone
+/// after half of the run. Files of its records lead to the same bits.
+TEST(ExplicitRunWithRelations, GoesOnFromFilesToTheSameBits) {
+  const auto study = test::study_of(R"(
+mesh:
+  generate:
+    - {name: foot, rectangle: {from: [0, 0], to: [2, 1]}, divisions: [4, 2], sides: {left: ground, right: seam}}
+    - {name: head, rectangle: {from: [2, 0], to: [4, 1]}, divisions: [6, 3], sides: {left: joint, right: tip, bottom: sole}}
+physics: plane_strain
+materials: {steel: {young: 100, poisson: 0.3, density: 1}}
+functions: {swing: {sine: {frequency: 2}}}
+supports: [{on: ground, fix: [x, y]}, {on: cap, x: {value: 0.02, function: swing}, until: 0.3}]
+loads: [{surface_force: {on: tip, y: -0.5}}]
+relations: {cap: {rigid: {on: tip}}}
+masses: [{on: cap, mass: 0.2}]
+contact:
+  tie: {master: seam, slave: joint, tie: true}
+  floor: {obstacle: {plane: {point: [0, -0.001], normal: [0, 1]}}, slave: sole, friction: 0.3, method: penalty, integration: nodes}
+time: {scheme: central_difference, end: 0.6, record: 0.1}
+)");
+  const test::ScratchFolder folder;
+  simulation::Simulation whole(study);
+  std::vector<std::filesystem::path> files;
+  while (!whole.finished()) {
+    ASSERT_TRUE(whole.advance().accepted());
+    results::Checkpoint checkpoint;
+    checkpoint.memento = whole.memento();
+    files.push_back(folder / ("checkpoint_" + std::to_string(files.size()) + ".h5"));
+    results::write_checkpoint(files.back(), checkpoint);
+  }
+  EXPECT_GT(whole.state().contact_force.norm(), 0);
+  EXPECT_LT(std::abs(whole.energy().balance()), 1e-12 * whole.energy().largest());
+  for (std::size_t i = 0; i + 1 < files.size(); ++i) {
+    const auto memento = results::read_checkpoint(files[i]).memento;
+    simulation::Simulation resumed(whole.model(), {.memento = &memento});
+    test::go_to_end(resumed);
+    SCOPED_TRACE(testing::Message() << "after record " << i + 1);
+    test::expect_same(resumed, whole);
+    EXPECT_EQ(resumed.energy().support_work, whole.energy().support_work) << i;
+  }
 }
 
 } // namespace

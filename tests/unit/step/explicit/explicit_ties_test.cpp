@@ -283,6 +283,88 @@ TEST(TiedBar, ShowsTheForceOfItsTie) {
   }
 }
 
+/// Forces of their cells, which have no stiffness of the whole.
+TEST(TiedBar, MovesAsOneMeshBeyondLinearElasticity) {
+  const std::vector<std::vector<Setting>> materials{
+      {{"materials.steel.strain", "green_lagrange"}},
+      {{"materials.steel.law", "plastic"},
+       {"materials.steel.strain", "logarithmic"},
+       {"materials.steel.hardening", "{linear: {yield_stress: 0.3, modulus: 10}}"}}};
+  for (const auto& changes : materials)
+    for (const auto body : {flat, solid}) {
+      const auto cells = body == flat ? "quad4" : "hexa8";
+      const auto tied = test::model_of(tied_bar(body, cells, 1, 2), changes);
+      const auto whole = test::model_of(whole_bar(body, cells, 1), changes);
+      ExplicitMotion a(tied);
+      ExplicitMotion b(whole);
+      const int steps = static_cast<int>(std::ceil(0.6 / (0.8 * b.spectrum().stable_step())));
+      a.advance(0.6, steps);
+      b.advance(0.6, steps);
+      const auto expected = b.state().motion.u;
+      EXPECT_LT(largest_difference(tied, a.state().motion.u, whole, expected),
+                1e-10 * expected.lpNorm<Eigen::Infinity>());
+      EXPECT_NEAR(a.spectrum().stiffness, b.spectrum().stiffness, 0.011 * b.spectrum().stiffness);
+      EXPECT_LT(std::abs(a.energy().balance()), 1e-11 * a.energy().largest());
+    }
+}
+
+/// A plate over both halves of a bar: nodes of its sole are in two ties, and face nodes of a third one.
+TEST(TiedBar, HoldsWhereTiesMeet) {
+  for (const char* integration : {"mortar", "nodes"}) {
+    const auto tie = [&](const std::string& master, const std::string& slave) {
+      return fmt::format("{{master: {}, slave: {}, tie: true, integration: {}}}", master, slave, integration);
+    };
+    const auto deck =
+        deck_of(flat,
+                flat("foot", 0, 2, 4, 2, "quad4", "left: ground, right: seam, top: low_foot") +
+                    flat("head", 2, 4, 6, 3, "quad4", "left: joint, right: tip, top: low_head") +
+                    "    - {name: plate, rectangle: {from: [0.5, 1], to: [3.5, 1.4]}, divisions: [7, 1], "
+                    "cells: quad4, "
+                    "sides: {bottom: sole}}\n",
+                "contact: {a: " + tie("seam", "joint") + ", b: " + tie("low_foot", "sole") +
+                    ", c: " + tie("low_head", "sole") + "}\n");
+    const auto model = test::model_of(deck);
+    ExplicitMotion motion(model);
+    go(motion, 0.6);
+    const auto u = motion.state().motion.u;
+    EXPECT_GT(u.lpNorm<Eigen::Infinity>(), 1e-3);
+    EXPECT_LT(model.reduction.correction(0.6, u).lpNorm<Eigen::Infinity>(),
+              1e-15 * u.lpNorm<Eigen::Infinity>());
+    EXPECT_LT(std::abs(motion.energy().balance()), 1e-12 * motion.energy().largest()) << integration;
+  }
+}
+
+TEST(TiedBar, OfRingsIsAsOneMesh) {
+  const auto rings = [](const std::string& bodies, const std::string& more) {
+    return "mesh:\n  generate:\n" + bodies + R"(physics: axisymmetric
+materials: {steel: {young: 100, poisson: 0.3, density: 1}}
+functions: {kick: {times: [0, 0.1, 0.2], values: [0, 1, 0]}}
+supports: [{on: ground, fix: y}]
+loads: [{surface_force: {on: tip, y: 1, x: 0.3, function: kick}}]
+time: {scheme: central_difference, end: 0.6, record: 0.6}
+)" + more;
+  };
+  const auto tied = test::model_of(rings("    - {name: low, rectangle: {from: [0, 0], to: [1, 1]}, "
+                                         "divisions: [3, 3], sides: {bottom: ground, top: "
+                                         "seam}}\n"
+                                         "    - {name: high, rectangle: {from: [0, 1], to: [1, 2]}, "
+                                         "divisions: [3, 3], sides: {bottom: joint, top: "
+                                         "tip}}\n",
+                                         "contact: {tie: {master: seam, slave: joint, tie: true}}\n"));
+  const auto whole =
+      test::model_of(rings("    - {name: all, rectangle: {from: [0, 0], to: [1, 2]}, divisions: [3, 6], "
+                           "sides: {bottom: ground, top: tip}}\n",
+                           ""));
+  ExplicitMotion a(tied);
+  ExplicitMotion b(whole);
+  const int steps = static_cast<int>(std::ceil(0.6 / (0.9 * b.spectrum().stable_step())));
+  a.advance(0.6, steps);
+  b.advance(0.6, steps);
+  const auto expected = b.state().motion.u;
+  EXPECT_LT(largest_difference(tied, a.state().motion.u, whole, expected),
+            1e-11 * expected.lpNorm<Eigen::Infinity>());
+}
+
 /// A step of the length that it gives is stable, and hardly a longer one is; ties never shorten it.
 TEST(TiedBar, StaysBoundedAtItsStableStepAndNotBeyond) {
   const auto model = test::model_of(tied_bar(flat, "quad4", 1, 3));
