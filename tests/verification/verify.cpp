@@ -63,7 +63,7 @@ struct Entry {
   void (*write)(const std::filesystem::path&);
 };
 
-constexpr std::array<Entry, 25> entries{
+constexpr std::array<Entry, 26> entries{
     {{"v1", rubato::verification::write_bar_on_wall},
      {"v2", rubato::verification::write_dropped_bar},
      {"v3", rubato::verification::write_contact_patch},
@@ -83,6 +83,7 @@ constexpr std::array<Entry, 25> entries{
      {"defaults", rubato::verification::write_defaults},
      {"robustness", rubato::verification::write_robustness},
      {"solids_robustness", rubato::verification::write_solids_robustness},
+     {"second_way", rubato::verification::write_second_way},
      {"relations", rubato::verification::write_relations},
      {"heat", rubato::verification::write_heat},
      {"solids", rubato::verification::write_solids},

@@ -68,6 +68,9 @@ void write_condensed(const std::filesystem::path& folder);
 void write_robustness(const std::filesystem::path& folder);
 /// Hundreds of random variants of bodies that yield and stretch, as solids_sweep.hpp draws them; likewise.
 void write_solids_robustness(const std::filesystem::path& folder);
+/// Hundreds of random studies, each in several ways that must agree, as second_way.hpp draws them; the decks
+/// stay in the build folder.
+void write_second_way(const std::filesystem::path& folder);
 /// Mortar contact against closed solutions, beside nodes.
 void write_mortar(const std::filesystem::path& folder);
 /// Random variants of the two beams with mortar contact, some of them beside nodes.
