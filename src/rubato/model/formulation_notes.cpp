@@ -97,7 +97,7 @@ std::string cure_of_locking(const Model& model, const Material& material, CellTy
 /// Cells of one material whose volume stays: linear ones are too stiff, quadratic ones have pressures that
 /// alternate from point to point; in plane stress the thickness gives way.
 void note_locking(const Model& model, const Material& material, const std::vector<std::size_t>& cells,
-                  std::vector<std::string>& notes) {
+                  CellFindings& findings) {
   const auto physics = model.study.physics;
   const std::array reasons{what_keeps_volume(material, nearly_incompressible),
                            what_keeps_volume(material, quadratic_limit)};
@@ -111,11 +111,12 @@ void note_locking(const Model& model, const Material& material, const std::vecto
         study::formulation_of(material, physics, type) == Formulation::full)
       found[{order, cure_of_locking(model, material, type)}].insert(type);
   }
+  findings.locking += found.empty() ? 0 : 1;
   for (const auto& [of, types] : found)
-    notes.push_back(fmt::format("material '{}': its {} cells {}, as {} keeps their volume; {} cures it",
-                                material.name, names_of(types),
-                                of.first == 1 ? "are too stiff" : "have pressures that alternate",
-                                reasons[of.first == 1 ? 0 : 1], of.second));
+    findings.notes.push_back(
+        fmt::format("material '{}': its {} cells {}, as {} keeps their volume; {} cures it", material.name,
+                    names_of(types), of.first == 1 ? "are too stiff" : "have pressures that alternate",
+                    reasons[of.first == 1 ? 0 : 1], of.second));
 }
 
 /// Whether supports hold every node of the cell along the axis that is nearest to a direction.
@@ -169,22 +170,23 @@ std::map<int, Part> parts_of(const Model& model, const Material& material, const
 /// cells for the most part.
 void note_bending(const Model& model, const Material& material, const Bodies& bodies,
                   const std::vector<Layers>& layers, const std::vector<std::size_t>& cells,
-                  std::vector<std::string>& notes) {
+                  CellFindings& findings) {
   const auto parts = parts_of(model, material, bodies, layers, cells);
   const auto found = std::ranges::find_if(
       parts, [](const auto& part) { return 2 * part.second.slender > part.second.cells; });
   if (found == parts.end())
     return;
   const auto& part = found->second;
+  findings.slenderness = std::max(findings.slenderness, part.first->length / part.first->thickness);
   const auto cure = may_be(model.study, material, Formulation::enhanced)
                         ? fmt::format("'formulation: enhanced' or {}", by_quadratic)
                         : std::string(by_quadratic);
-  notes.push_back(fmt::format("material '{}': {} layer{} of {} across a part {:.2g} times as long as thick "
-                              "{} too stiff in bending; {} "
-                              "cures it",
-                              material.name, part.first->count, part.first->count == 1 ? "" : "s",
-                              names_of(part.types), part.first->length / part.first->thickness,
-                              part.first->count == 1 ? "is" : "are", cure));
+  findings.notes.push_back(
+      fmt::format("material '{}': {} layer{} of {} across a part {:.2g} times as long as thick "
+                  "{} too stiff in bending; {} "
+                  "cures it",
+                  material.name, part.first->count, part.first->count == 1 ? "" : "s", names_of(part.types),
+                  part.first->length / part.first->thickness, part.first->count == 1 ? "is" : "are", cure));
 }
 
 } // namespace
@@ -213,24 +215,24 @@ void check_formulations(const study::Study& study, const mesh::Mesh& mesh, const
   }
 }
 
-std::vector<std::string> notes_on_formulations(const Model& model) {
-  std::vector<std::string> notes;
+CellFindings examine_formulations(const Model& model) {
+  CellFindings findings;
   const auto& materials = model.study.materials;
   const auto cells = cells_by_material(model.study, model.bulk);
   bool may_bend = false;
   for (std::size_t m = 0; m < cells.size(); ++m) {
-    note_locking(model, materials[m], cells[m], notes);
+    note_locking(model, materials[m], cells[m], findings);
     may_bend = may_bend || std::ranges::any_of(cells[m], [&](std::size_t i) {
                  return bends_too_stiffly(model, materials[m], model.mesh.type_of(model.bulk.cells[i]));
                });
   }
   if (!may_bend)
-    return notes;
+    return findings;
   const Bodies bodies(model.mesh, model.bulk);
   const auto layers = layers_of(model.mesh, model.bulk);
   for (std::size_t m = 0; m < cells.size(); ++m)
-    note_bending(model, materials[m], bodies, layers, cells[m], notes);
-  return notes;
+    note_bending(model, materials[m], bodies, layers, cells[m], findings);
+  return findings;
 }
 
 } // namespace rubato::model

@@ -26,9 +26,15 @@ namespace rubato::model {
 void check_formulations(const study::Study& study, const mesh::Mesh& mesh, const domain::Bulk& bulk,
                         std::vector<Fault>& faults);
 
-/// Sentences that name what to write: for linear cells, integrated in full, whose material keeps its volume
-/// (not in plane stress); for slender parts of few such QUAD4 or HEXA8 across, which are too stiff in
-/// bending. Of a model that has its reduction.
-std::vector<std::string> notes_on_formulations(const Model& model);
+struct CellFindings {
+  std::vector<std::string> notes; ///< sentences that name what to write
+  int locking = 0;        ///< materials whose cells, integrated in full, keep their volume and so lock
+  double slenderness = 0; ///< length over thickness of the first part that bends too stiffly; 0: none does
+};
+
+/// Notes on linear and quadratic cells, integrated in full, whose material keeps its volume (not in plane
+/// stress), and on slender parts of few QUAD4 or HEXA8 across, which are too stiff in bending. Of a model
+/// that has its reduction.
+CellFindings examine_formulations(const Model& model);
 
 } // namespace rubato::model

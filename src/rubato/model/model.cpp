@@ -173,7 +173,10 @@ Model lay_out(const study::Study& asked, mesh::Mesh mesh, std::vector<PreloadedC
   if (const auto note = note_on_shared_nodes(model))
     model.notes.push_back(*note);
   std::ranges::move(notes_on_rigid_slaves(model), std::back_inserter(model.notes));
-  std::ranges::move(notes_on_formulations(model), std::back_inserter(model.notes));
+  auto cells = examine_formulations(model);
+  std::ranges::move(cells.notes, std::back_inserter(model.notes));
+  model.locking_materials = cells.locking;
+  model.slenderness = cells.slenderness;
   if (study.time.scheme == study::SchemeKind::static_steps) {
     mark_soft_springs(model);
     model.gauges = make_gauges(model, model.notes);

@@ -106,8 +106,10 @@ struct Model {
   std::vector<std::vector<mesh::NodeIndex>> probe_nodes;
   std::vector<ProbedCells> probe_cells;      ///< of each probe; none of those at nodes
   std::vector<domain::CutForces> probe_cuts; ///< of each probe of the study; empty where it is no cut
-  std::vector<std::string> notes;            ///< sentences that whoever runs the model should read
-  std::vector<int> multiplier_offsets;       ///< first multiplier of each zone
+  int locking_materials = 0; ///< whose cells, integrated in full, keep their volume (formulation_notes.hpp)
+  double slenderness = 0;    ///< of a part of few layers that bends too stiffly; 0: none does
+  std::vector<std::string> notes;      ///< sentences that whoever runs the model should read
+  std::vector<int> multiplier_offsets; ///< first multiplier of each zone
   int multiplier_count = 0;
 
   /// The node a dof belongs to, and its direction.

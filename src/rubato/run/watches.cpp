@@ -16,6 +16,8 @@ using results::Plausibility;
 
 /// Instants of a run at which sums over all nodes are taken: they would cost too much in every step.
 constexpr double samples = 20;
+/// Parts that are longer, in thicknesses, bend too stiffly with few layers of linear cells.
+constexpr double slender_limit = 5;
 /// Of the mass of the bodies.
 constexpr double added_mass_limit = 0.05;
 
@@ -33,6 +35,13 @@ Plausibility added_mass(const model::Model& model) {
           "mass_scaling adds this part of the mass of the bodies; expected a shorter 'mass_scaling.step'"};
 }
 
+/// Of cells that notes have told of before the first step.
+std::vector<Plausibility> told_cells(const model::Model& model) {
+  return {{"locking_materials", static_cast<double>(model.locking_materials), 0, model.study.time.begin, "",
+           "", true},
+          {"slender_parts", model.slenderness, slender_limit, model.study.time.begin, "", "", true}};
+}
+
 } // namespace
 
 Watches::Watches(const model::Model& model, const Watch& watch, const step::EnergyRecord& record,
@@ -40,6 +49,7 @@ Watches::Watches(const model::Model& model, const Watch& watch, const step::Ener
     : model_(model), watch_(watch), former_(std::move(former)), energy_(model.study.name, watch, record),
       overlaps_(model, watch), recall_(model, watch), turns_(model, watch), strains_(model, watch),
       springs_(model, watch), balance_(model), work_(model), pressures_(model), waves_(model) {
+  results::keep_larger(former_, told_cells(model));
   if (model.study.time.mass_scaling)
     results::keep_larger(former_, std::vector{added_mass(model)});
 }

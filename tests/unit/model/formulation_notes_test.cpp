@@ -35,7 +35,7 @@ time: {{scheme: newmark, step: 1, end: 1}}
 
 std::string notes_of(const Part& part) {
   std::string all;
-  for (const auto& note : notes_on_formulations(test::model_of(deck_of(part))))
+  for (const auto& note : examine_formulations(test::model_of(deck_of(part))).notes)
     all += note + "\n";
   return all;
 }
