@@ -11,9 +11,9 @@
 /// full             the rule of cell::stiffness_rule for everything
 /// mean_dilatation  the change of volume of a point is that of its cell: J. C. Simo, R. L. Taylor, K. S.
 ///                  Pister, CMAME 51 (1985) 177–208; small strain: T. J. R. Hughes, Int. J. Numer. Meth. Eng.
-///                  15 (1980) 1413–1418. In TRIA7, QUAD8, QUAD9, PENTA15, HEXA20 and HEXA27 it is a linear
-///                  function of the place (nonlinear/dilatation_space.hpp). Of these QUAD8, PENTA15 and
-///                  HEXA20 have one displacement mode more, a bubble (nonlinear/bubble_cell.hpp)
+///                  15 (1980) 1413–1418. In TRIA7, QUAD8, QUAD9, HEXA20 and HEXA27 it is a linear function
+///                  of the place (nonlinear/dilatation_space.hpp). Of these QUAD8 and HEXA20 have one
+///                  displacement mode more, a bubble (nonlinear/bubble_cell.hpp)
 /// enhanced         strain from displacement modes of the cell's own: R. L. Taylor, P. J. Beresford, E. L.
 ///                  Wilson, Int. J. Numer. Meth. Eng. 10 (1976) 1211–1219; J. C. Simo, M. S. Rifai, ibid. 29
 ///                  (1990) 1595–1638; J. C. Simo, F. Armero, ibid. 33 (1992) 1413–1449
@@ -66,7 +66,7 @@ bool is_offered(const CellKind& kind);
 int point_count(const CellKind& kind);
 
 /// Unknowns of the cell's own. enhanced: 4 in QUAD4, 9 in HEXA8, there 12 in small strain; mean_dilatation: 2
-/// in QUAD8, 3 in PENTA15 and HEXA20; 0 in all others.
+/// in QUAD8, 3 in HEXA20; 0 in all others.
 int mode_count(const CellKind& kind);
 
 /// Numbers that a cell remembers: the states of its points, then its own unknowns. They are 0 at first.

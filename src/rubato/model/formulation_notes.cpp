@@ -29,8 +29,8 @@ using study::Material;
 
 /// From here on linear cells that are integrated in full keep their volume more than their shape.
 constexpr double nearly_incompressible = 0.45;
-/// From here on quadratic cells that are integrated in full do: 16 × 8 QUAD8 between rough plates bear 2.6 %
-/// too much, and their pressures are off by a quarter of the mean.
+/// Above this ratio pressures of quadratic cells that are integrated in full alternate: the force of 16 × 8
+/// QUAD8 between rough plates is 2.6 % too large, and pressures deviate by a quarter of their mean.
 constexpr double quadratic_limit = 0.49;
 /// Fewer layers are too stiff in bending, where a part is longer than so many times its thickness.
 constexpr int enough_layers = 4;
@@ -66,7 +66,7 @@ double poisson_of(const Material& material) {
              : material.poisson;
 }
 
-/// What keeps the volume of a material with Poisson's ratio beyond `from`; empty where nothing does.
+/// Returns what keeps the volume of a material: plastic flow or a ratio above `from`; empty if nothing does.
 std::string what_keeps_volume(const Material& material, double from) {
   if (material.law == study::LawKind::plastic && from < quadratic_limit)
     return "plastic flow";
@@ -82,7 +82,7 @@ bool is_pyramid(CellType type) {
   return type == CellType::pyra5 || type == CellType::pyra13;
 }
 
-/// What makes the cells keep their volume without locking.
+/// Returns what to write so that cells of that type do not lock.
 std::string cure_of_locking(const Model& model, const Material& material, CellType type) {
   if (is_pyramid(type))
     return std::string(by_other_cells);
@@ -94,8 +94,9 @@ std::string cure_of_locking(const Model& model, const Material& material, CellTy
   return fmt::format("{} with {}", by_quadratic, by_mean_dilatation);
 }
 
-/// Cells of one material whose volume stays: linear ones are too stiff, quadratic ones have pressures that
-/// alternate from point to point; in plane stress the thickness gives way.
+/// Adds a note for cells of one material whose volume stays: linear cells are too stiff, pressures of
+/// quadratic cells alternate from point to point. Cells in plane stress change their thickness and do
+/// neither.
 void note_locking(const Model& model, const Material& material, const std::vector<std::size_t>& cells,
                   CellFindings& findings) {
   const auto physics = model.study.physics;

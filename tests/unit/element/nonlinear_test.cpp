@@ -95,7 +95,7 @@ TEST_P(EveryKind, HasTheWorkOfItsForcesAtItsPoints) {
   EXPECT_NEAR(work, 2 * cell.force.dot(step), 1e-8 * size);
 }
 
-/// Motions of a single cell without energy beside the rigid ones.
+/// Returns how many motions of a single cell have no energy beside the rigid ones.
 int unseen_motions(const CellKind& kind) {
   const bool is_axisymmetric = kind.section.physics == Physics::axisymmetric;
   if (kind.type == CellType::tria3 && is_axisymmetric)
@@ -130,7 +130,7 @@ TEST_P(EveryKind, HasTheSameStressEverywhereUnderAConstantStrain) {
     if (GetParam().section.physics == Physics::axisymmetric)
       h(0, 1) = 0; // u_r = c r only, so that the hoop strain is constant
     if (GetParam().section.physics == Physics::axisymmetric && mode_count(GetParam()) > 0)
-      h(1, 0) = 0; // a constant shear is not in equilibrium, to which a bubble answers
+      h(1, 0) = 0; // the bubble deforms under a constant shear, which is not in equilibrium
     ASSERT_TRUE(cell.evaluate(cell.linear_field({0, 0.1, 0}, h)));
     const auto& first = cell.records.front();
     for (const auto& record : cell.records) {

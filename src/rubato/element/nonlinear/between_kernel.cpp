@@ -174,7 +174,7 @@ private:
   /// Also sets what forces on modes are compared with.
   bool modes_are_solved() {
     constexpr double stalled = 1e3;
-    // Of HEXA20 with its bubble the sum over 27 points is 1e4 times the rounding that was measured.
+    // The sum over the 27 points of HEXA20 with its bubble is 1e4 times the rounding that was measured.
     const double rounding = (energy_.is_averaged() ? 1e-3 : 1) * 4 * epsilon;
     double noise = 0;
     mode_force_ = 0;
@@ -228,7 +228,7 @@ private:
     return sum;
   }
 
-  /// Forces of φ_m times stresses at all m.
+  /// Returns for each m the forces of φ_m times the stresses.
   PerDilatation<Dofs> forces_of(const AtPoints<Matrix3d>& h, const AtPoints<Stress6>& stress) const {
     PerDilatation<Dofs> forces;
     for (int m = 0; m < energy_.dilatations(); ++m)
@@ -340,7 +340,7 @@ private:
     return derivative;
   }
 
-  /// Takes half the stresses of mean_dilatation by ½[C].
+  /// Subtracts the derivative of the projected dilatation by ½[C], halved, from the stresses.
   void take_dilatation(AtPoints<Stress6>& stress) const {
     const auto& space = energy_.space();
     PerDilatation<double> t, r;

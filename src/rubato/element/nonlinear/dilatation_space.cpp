@@ -47,7 +47,7 @@ Eigen::Matrix4d DilatationSpace::products(const AtPoints<double>& values) const 
   return out;
 }
 
-/// The coordinates by the method of Gram and Schmidt.
+/// Orthogonalises the coordinates by the method of Gram and Schmidt.
 void DilatationSpace::set_linear(CellType type, std::span<const Eigen::Vector3d> points) {
   const auto& values = reference_gradients(type).values;
   for (int a = 0; a < gradients_.components(); ++a) {

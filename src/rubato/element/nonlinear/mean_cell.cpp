@@ -10,9 +10,9 @@
 namespace rubato::element {
 namespace {
 
-/// Rounding of the force of the bubble by the largest stress that its strains could make.
+/// Rounding of the force on the bubble, relative to the largest stress that its strains could cause.
 constexpr double rounding_of_bubble = 4 * std::numeric_limits<double>::epsilon();
-/// Tolerance by that rounding where no step reduces the force.
+/// Factor of that rounding that is accepted where no Newton step reduces the force.
 constexpr double stalled_bubble = 1e3;
 
 } // namespace
@@ -47,7 +47,7 @@ void MeanCell::put_tangent(const MatrixView& k) {
   condense(k);
 }
 
-/// Laws, P_c and the force on the bubble at the present α.
+/// Evaluates the laws, P_c and the force on the bubble at the present α.
 CellResult MeanCell::respond() {
   const bool wants_tangent = wants_tangent_ || modes_ > 0;
   if (modes_ > 0)
@@ -74,7 +74,7 @@ void MeanCell::add_bubble(std::size_t q) {
         h.data()[at] += cell_.gradients.at(point, row, bubble) * unknowns_[place(a)];
 }
 
-/// Force on the bubble, its scale and its rounding.
+/// Sets the force on the bubble, its scale and its rounding.
 void MeanCell::set_residual() {
   residual_.fill(0);
   scale_ = noise_ = 0;
@@ -112,7 +112,7 @@ CellResult MeanCell::improved() {
       [&] { return respond(); }, [&] { return is_solved(); });
 }
 
-/// K of nodes and bubble from `first_node`, which is even, on.
+/// Sets K of the nodes from `first_node`, which is even, and of the bubble.
 void MeanCell::put_stiffness(int first_node, const MatrixView& k) {
   const int last = cell_.gradients.nodes() + (modes_ > 0 ? 1 : 0);
   const auto size = place(cell_.count());
@@ -152,7 +152,7 @@ void MeanCell::add_dilatation(int first_dof, const MatrixView& k) const {
   }
 }
 
-/// Forces of φ_m times tensors at the points on nodes and bubble.
+/// Returns the forces of φ_m times the tensors of the points on nodes and bubble.
 MeanCell::Forces MeanCell::forces_of(const AtPoints<Eigen::Matrix3d>& tensors, int m) const {
   const auto& gradients = cell_.gradients;
   const auto weighted = mean_.space().weighted(m, tensors);
