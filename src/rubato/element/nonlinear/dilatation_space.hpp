@@ -5,8 +5,8 @@
 ///
 /// TRIA7, QUAD9, HEXA27 and the cells with a bubble have the linear functions, all other cells the constant
 /// alone. docs/theory has the inf-sup numbers of each (D. Chapelle, K. J. Bathe, Comput. Struct. 47 (1993)
-/// 537–545). The functions are linear in X and not in ξ, as only these keep the order of accuracy on distorted
-/// cells (D. Boffi, L. Gastaldi, Int. J. Numer. Meth. Fluids 39 (2002) 1001–1011).
+/// 537–545). The functions are linear in X and not in ξ, as only these keep the order of accuracy on
+/// distorted cells (D. Boffi, L. Gastaldi, Int. J. Numer. Meth. Fluids 39 (2002) 1001–1011).
 #pragma once
 
 #include "rubato/element/nonlinear/cell_gradients.hpp"
