@@ -21,10 +21,10 @@ const char* obstacle_to_parts(const Model& model) {
     return "temperatures";
   if (!model.followers.empty())
     return "pressures that follow their faces";
-  if (!model.springs.empty() || !model.connectors.empty() || !model.gauges.empty())
-    return "springs or dashpots";
   if (!model.references.empty() || !model.reduction.dependents().empty())
     return "relations or ties";
+  if (!model.springs.empty() || !model.connectors.empty() || !model.gauges.empty())
+    return "springs or dashpots";
   if (!model.study.preload.empty())
     return "preloads";
   if (model.study.base_motion)

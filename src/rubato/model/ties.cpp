@@ -7,17 +7,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace rubato::model {
 namespace {
+
+/// Weights below this part of the largest are rounding of integrals: as terms they would couple far nodes.
+constexpr double weight_rounding = 1e-13;
 
 /// What a tied point says of one component. The slave's own node comes first: it is solved for.
 std::vector<constraint::Term> terms_of_tie(const Parts& parts, const contact::Stencil& stencil,
                                            mesh::NodeIndex slave, int component) {
   std::vector<constraint::Term> terms;
-  for (std::size_t i = 0; i < stencil.nodes.size(); ++i)
-    if (const double weight = stencil.weight(static_cast<Eigen::Index>(i), component); weight != 0)
-      terms.push_back({parts.dofs.dof(stencil.nodes[i], component), weight});
+  double largest = 0;
+  for (std::size_t i = 0; i < stencil.nodes.size(); ++i) {
+    const double weight = stencil.weight(static_cast<Eigen::Index>(i), component);
+    terms.push_back({parts.dofs.dof(stencil.nodes[i], component), weight});
+    largest = std::max(largest, std::abs(weight));
+  }
+  std::erase_if(terms,
+                [&](const auto& term) { return std::abs(term.coefficient) <= weight_rounding * largest; });
   const auto own = std::ranges::find(terms, parts.dofs.dof(slave, component), &constraint::Term::dof);
   if (own != terms.end())
     std::iter_swap(terms.begin(), own);

@@ -5,6 +5,8 @@
 /// (T. Belytschko, W. K. Liu, B. Moran, Nonlinear Finite Elements for Continua and Structures, 2000, ch. 6).
 /// Damping sees the velocity half a step before. Contact is by penalty whatever the zone's method says
 /// (contact/explicit_penalty.hpp). A step costs one evaluation of the domain and allocates nothing.
+/// With relations, u = T q + g, the unknowns move by M̄ q̈ = −Tᵀ (r + M g̈) with M̄ = Tᵀ M T
+/// (constrained_mass.hpp); a step then solves with the coupled part of M̄. Ties are such relations.
 ///
 /// Stable are steps h with h²/4 (K + 4 K_c) + h/2 C ≤ M, K the domain's initial tangent, K_c the springs of
 /// contact:
