@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace rubato::verification {
 namespace {
@@ -125,8 +127,9 @@ Comparison compared(const std::string& way, const WayResult& base, const WayResu
   Comparison comparison;
   comparison.way = way;
   comparison.failure = other.failure;
+  comparison.friction_given = std::max(base.friction_given, other.friction_given);
   if (!base.finished())
-    comparison.failure = "deck: " + base.failure;
+    comparison.failure = base.failure;
   if (comparison.failure.empty())
     comparison.coarse = largest_difference(base, other);
   for (const auto* result : {&base, &other})
@@ -141,13 +144,27 @@ Comparison compared(const std::string& way, const WayResult& base, const WayResu
 class WayRuns {
 public:
   explicit WayRuns(const WayStudy& study) : study_(study) {}
+
   const WayResult& at(const Way& way, int level) {
-    for (const auto& [name, result] : done_)
-      if (name == fmt::format("{} {}", way.name, level))
-        return result;
-    done_.emplace_back(fmt::format("{} {}", way.name, level), run_way(study_, way, level));
-    return done_.back().second;
+    const auto [place, is_new] = done_.try_emplace({way.name, level});
+    if (is_new)
+      place->second = run_way(study_, way, level);
+    return place->second;
   }
+
+  /// The difference of a way at a level from another way, and that of both a level further.
+  Comparison compare(const std::string& name, const Way& base, const Way& way, int level) {
+    auto comparison = compared(name, at(base, 1), at(way, level));
+    if (!comparison.failure.empty() || !comparison.large())
+      return comparison;
+    const auto& fine = at(base, 2);
+    const auto& finer = at(way, level + 1);
+    comparison.failure = fine.finished() ? finer.failure : fine.failure;
+    if (comparison.failure.empty())
+      comparison.fine = largest_difference(fine, finer).size;
+    return comparison;
+  }
+
   int count() const { return static_cast<int>(done_.size()); }
   double seconds() const {
     double sum = 0;
@@ -158,33 +175,24 @@ public:
 
 private:
   const WayStudy& study_;
-  std::vector<std::pair<std::string, WayResult>> done_;
+  std::map<std::pair<std::string, int>, WayResult> done_;
 };
 
 } // namespace
 
 StudyComparison compare_ways(const WayStudy& study) {
   const auto ways = ways_of(study);
+  const auto& base = ways.front();
   WayRuns runs(study);
   StudyComparison result;
-  const auto add = [&](const std::string& name, const Way& way, int level, const Way& fine_base,
-                       int base_level, int fine_level) {
-    const auto base = runs.at(ways.front(), level == 2 ? 1 : level);
-    auto comparison = compared(name, base, runs.at(way, level));
-    if (comparison.failure.empty() && comparison.large()) {
-      const auto fine = runs.at(fine_base, base_level);
-      const auto& finer = runs.at(way, fine_level);
-      if (fine.finished() && finer.finished())
-        comparison.fine = largest_difference(fine, finer).size;
-      else
-        comparison.failure = fine.finished() ? finer.failure : fine.failure;
-    }
-    result.ways.push_back(std::move(comparison));
-  };
-  if (study.finest > 2)
-    add("refined", ways.front(), 2, ways.front(), 2, 3);
-  for (std::size_t i = 1; i < ways.size(); ++i)
-    add(ways[i].name, ways[i], 1, ways.front(), 2, 2);
+  if (!runs.at(base, 1).finished()) {
+    result.ways.push_back(compared(base.name, runs.at(base, 1), runs.at(base, 1)));
+  } else {
+    if (study.finest > 2)
+      result.ways.push_back(runs.compare("refined", base, base, 2));
+    for (std::size_t i = 1; i < ways.size(); ++i)
+      result.ways.push_back(runs.compare(ways[i].name, base, ways[i], 1));
+  }
   result.seconds = runs.seconds();
   result.runs = runs.count();
   return result;

@@ -92,6 +92,7 @@ struct WayResult {
   std::vector<std::string> warnings; ///< but those of the mesh alone, which every way has
   std::vector<QuantityKind> kinds;
   double seconds = 0;
+  double friction_given = 0; ///< energy that friction gave, over the largest energy; a defect
   bool finished() const { return failure.empty(); }
 };
 
@@ -109,10 +110,11 @@ WayDifference largest_difference(const WayResult& a, const WayResult& b);
 /// What a study's ways differ by.
 struct Comparison {
   std::string way;
-  std::string failure;  ///< of one of the runs, or empty
-  WayDifference coarse; ///< from the way of the deck
-  double fine = -1;     ///< the same at level 2; −1: was not asked for
-  bool warned = false;  ///< one of the two runs has a warning
+  std::string failure;       ///< of one of the runs, or empty
+  WayDifference coarse;      ///< from the way of the deck
+  double fine = -1;          ///< the same at level 2; −1: was not asked for
+  double friction_given = 0; ///< the larger one of the two runs
+  bool warned = false;       ///< one of the two runs has a warning
   std::vector<std::string> warnings;
   bool large() const;     ///< above 2 %
   bool explained() const; ///< refinement takes it away, or shrinks it as an error of first order

@@ -40,6 +40,7 @@ void add_dragged_block(Scene& scene, double squeeze, double travel) {
              .inset = dice.chance(0.5) ? 0.3 : 0});
   scene.hold("held", scene.moved(travel, "go"), scene.moved(-squeeze, "press"));
   scene.probe("r_held", "on: held, field: reaction");
+  scene.probe("d_held", "on: held, take: mean");
   pair_either(scene, "joint", "sole", "above");
 }
 
@@ -92,6 +93,7 @@ WayStudy hook(Dice& dice) {
   scene.hold("foot", scene.moved(-dice.uniform(0.5, 2), "go"), scene.moved(dice.uniform(0.2, 1), "press"));
   scene.probe("r_root", "on: root, field: reaction");
   scene.probe("d_tip", "on: tip, take: mean");
+  scene.probe("d_foot", "on: foot, take: mean");
   pair_either(scene, "joint", "under", "crest");
   return scene.study(2, 2 * dice.whole(6, 11), {7.5, 0}, 2);
 }
@@ -121,6 +123,7 @@ WayStudy ring(Dice& dice) {
   scene.hold("floor_held");
   scene.hold("lid_held", "0", scene.moved(-dice.uniform(0.3, 2), "press"));
   scene.probe("r_lid", "on: lid_held, field: reaction");
+  scene.probe("d_lid", "on: lid_held, take: mean");
   scene.probe("d_head", "on: head, take: mean");
   scene.pair("below", "outside", "floor_face");
   scene.pair("above", "outside", "lid_face");
@@ -145,6 +148,7 @@ WayStudy roller(Dice& dice) {
   scene.hold("held", scene.moved(dice.uniform(0.05, 0.4), "go"),
              scene.moved(-dice.uniform(0.03, 0.2), "press"));
   scene.probe("r_held", "on: held, field: reaction");
+  scene.probe("d_held", "on: held, take: mean");
   scene.probe("d_high", "on: high, take: mean");
   scene.pair("below", "low", "above");
   scene.pair("above", "high", "under");
@@ -174,6 +178,7 @@ WayStudy wedge(Dice& dice) {
                             scene.draw().solid ? ", z: 0" : ""));
   scene.hold("wall");
   scene.probe("r_held", "on: held, field: reaction");
+  scene.probe("d_held", "on: held, take: mean");
   scene.probe("r_wall", "on: wall, field: reaction");
   pair_either(scene, "joint", "flank", "face");
   return scene.study(1, dice.whole(10, 16), {2, 1}, 2);
@@ -198,13 +203,14 @@ WayStudy lining(Dice& dice) {
   scene.hold("grip", scene.moved(-thick * drawn_squeeze(scene), "press"),
              scene.moved(thick * dice.magnitude(0.002, 0.1), "go"));
   scene.probe("r_grip", "on: grip, field: reaction");
+  scene.probe("d_grip", "on: grip, take: mean");
   pair_either(scene, "joint", "lining", "face");
   return scene.study(2, 2 * dice.whole(6, 11), {5, 1.5}, 1.5);
 }
 
 /// A rounded rubber block in a groove under a lid.
 WayStudy seal(Dice& dice) {
-  Scene scene(dice, {.solid = false, .axisymmetric = true, .turns = true});
+  Scene scene(dice, {.solid = false, .axisymmetric = true, .turns = true, .least_friction = 0.1});
   const int n = dice.whole(6, 10);
   const double young = scene.draw().young, bulk = young * dice.magnitude(3, 100);
   scene.add(
@@ -226,6 +232,7 @@ WayStudy seal(Dice& dice) {
   scene.hold("floor_held");
   scene.hold("lid_held", "0", scene.moved(-dice.uniform(0.2, 0.7), "press"));
   scene.probe("r_lid", "on: lid_held, field: reaction");
+  scene.probe("d_lid", "on: lid_held, take: mean");
   scene.pair("below", "skin", "floor_face");
   scene.pair("above", "skin", "lid_face");
   return scene.study(1, dice.whole(10, 16), {22, 2}, 2);
@@ -265,7 +272,7 @@ WayStudy bolted_plates(Dice& dice) {
 
 /// Three blocks on each other, pressed and bent.
 WayStudy stack(Dice& dice) {
-  Scene scene(dice, {.axisymmetric = true});
+  Scene scene(dice, {.axisymmetric = true, .least_friction = 0.1});
   const double young = scene.draw().young;
   const std::array names{"low", "mid", "top"};
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -300,15 +307,17 @@ WayStudy punch(Dice& dice) {
 WayStudy impact(Dice& dice) {
   Scene scene(dice, {.dynamic_only = true});
   add_rail(scene, dice.magnitude(0.3, 10));
+  const double mach = dice.magnitude(0.001, 0.02); // speed over that of sound
+  const double gap = 0.2 * mach * 10 * scene.draw().transits;
   scene.add({.name = "block",
-             .from = {1, 0.05},
-             .to = {5, 3},
+             .from = {1, gap},
+             .to = {5, 3 + gap},
              .divisions = {dice.whole(3, 7), dice.whole(3, 5)},
              .sides = "bottom: sole, top: roof"});
   if (dice.chance(0.3))
     scene.form("block", Form::crown, dice.uniform(0.02, 0.2));
   const double crossing = scene.draw().phase / scene.draw().transits; // of ten units of length
-  const double speed = dice.magnitude(0.001, 0.02) * 10 * scene.draw().length / crossing;
+  const double speed = mach * 10 * scene.draw().length / crossing;
   scene.text().initial = fmt::format("  - {{on: block, velocity: {{x: {:.9g}, y: {:.9g}}}}}\n",
                                      dice.chance(0.5) ? dice.uniform(-0.5, 0.5) * speed : 0., -speed);
   scene.probe("d_roof", "on: roof, take: mean");

@@ -16,7 +16,7 @@ struct WayEntry {
 
 void write_way_entries(Page& page, const std::vector<WayEntry>& entries);
 
-/// What was found to cause a difference of the study in that way; empty when it was not investigated.
-std::string cause_of(int number, const std::string& way);
+/// The kind of cause that a difference is put down to; empty when it belongs to none that was looked into.
+std::string cause_of(const WayStudy& study, const Comparison& comparison);
 
 } // namespace rubato::verification

@@ -17,7 +17,7 @@ namespace rubato::verification {
 namespace {
 
 /// Attempts and iterations that a run may have for each of its steps, on average.
-constexpr int most_attempts = 10, most_iterations = 500;
+constexpr int most_attempts = 10, most_iterations = 300;
 
 using Place = std::array<double, 2>;
 
@@ -146,7 +146,20 @@ std::vector<QuantityKind> measured(const Tables& tables, const WayStudy& study, 
        {"kinetic", "strain", "external_work", "support_work", "friction", "plastic", "impact"})
     if (is_static || std::string(name) != "impact")
       add_column(tables.energy, name, false, 1, energy);
+  energy.scale = std::max(energy.scale, 0.5 * force.scale * displacement.scale);
   return {force, moment, energy, displacement};
+}
+
+/// A friction that dissipates less than nothing, over the largest stored or dissipated energy.
+double friction_given(const results::Table& energy) {
+  double least = 0, largest = 0;
+  for (const auto& row : energy.rows) {
+    const auto at = [&](const char* name) { return row[static_cast<std::size_t>(energy.column(name))]; };
+    least = std::min(least, at("friction"));
+    largest =
+        std::max({largest, at("kinetic"), at("strain"), std::abs(at("friction")), std::abs(at("impact"))});
+  }
+  return largest > 0 ? -least / largest : 0;
 }
 
 study::Study study_at(const WayStudy& study, const Way& way, int level) {
@@ -210,6 +223,7 @@ WayResult run_way(const WayStudy& way_study, const Way& way, int level) {
                            : run.message;
       return result;
     }
+    result.friction_given = friction_given(results::read_csv(folder / "run/energy.csv"));
     result.kinds =
         measured({results::read_csv(folder / "run/probes.csv"), results::read_csv(folder / "run/energy.csv")},
                  way_study, way.swapped, study.time.scheme == study::SchemeKind::moreau_jean,

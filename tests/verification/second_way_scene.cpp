@@ -18,8 +18,8 @@ bool is_linear_cell(const std::string& cells) {
 std::string drawn_cells(Dice& dice, bool solid, bool linear) {
   if (solid && linear)
     return dice.one_of({"hexa8", "tetra4", "penta6"});
-  return solid ? dice.one_of({"hexa8", "hexa8", "hexa8", "tetra4", "tetra4", "penta6", "penta6", "hexa20",
-                              "tetra10", "penta15", "hexa27"})
+  return solid ? dice.one_of(
+                     {"hexa8", "hexa8", "hexa8", "tetra4", "tetra4", "penta6", "penta6", "hexa20", "tetra10"})
                : dice.one_of({"quad4", "quad4", "tria3", "quad8", "tria6", "quad9", "tria7"});
 }
 
@@ -47,9 +47,9 @@ std::string section_of(std::string_view key, const std::string& entries) {
 } // namespace
 
 Scene::Scene(Dice& dice, const SceneRules& rules) : dice_(dice) {
-  draw_.solid = rules.solid && dice.chance(0.22);
+  draw_.solid = rules.solid && dice.chance(0.1);
   draw_.axisymmetric = rules.axisymmetric && !draw_.solid && dice.chance(0.3);
-  const bool small = !rules.turns && dice.chance(draw_.solid ? 0.85 : 0.6);
+  const bool small = !rules.turns && dice.chance(draw_.solid ? 1 : 0.6);
   draw_.strain = small ? "small" : dice.one_of({"green_lagrange", "logarithmic"});
   draw_.friction = rules.least_friction > 0 || dice.chance(0.7) ? dice.uniform(rules.least_friction, 0.6) : 0;
   draw_.length = std::array{1e-3, 1., 25.4}[static_cast<std::size_t>(dice.whole(0, 2))];
@@ -151,8 +151,8 @@ WayStudy Scene::study(int phases, int steps, std::array<double, 2> about, double
   if (draw_.scheme != "static")
     steps *= 2;
   study.solid = draw_.solid;
-  study.finest = draw_.solid && !linear_ ? 2 : 3;
-  study.fast_explicit = linear_ && !(draw_.solid && draw_.scheme == "static");
+  study.finest = draw_.solid || draw_.strain != "small" ? 2 : 3;
+  study.fast_explicit = linear_ && draw_.scheme != "static";
   study.stiff_spring = 100 * draw_.young / draw_.length;
   study.forms = forms_;
   study.pairs = pairs_;
