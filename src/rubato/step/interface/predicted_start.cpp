@@ -23,6 +23,10 @@ constexpr double same_way = 0.99;
 constexpr double fitting = 3e-3;
 /// How far an iteration may move the surfaces of bodies that only contact holds, in edges.
 constexpr double reach_in_edges = 0.5;
+/// Turns of forces across and along the surfaces in the same frames, at most, and the move of the surfaces,
+/// in edges, at which these forces count as settled.
+constexpr int most_turns = 50;
+constexpr double settled_move = 1e-3;
 
 /// How far points that may touch have to come at least.
 double nearest_gap(std::span<const PredictorPoint> points) {
@@ -30,6 +34,13 @@ double nearest_gap(std::span<const PredictorPoint> points) {
   for (const auto& point : points)
     nearest = std::min(nearest, std::max(0.0, point.gap));
   return points.empty() ? 0 : nearest;
+}
+
+double finest_edge(const model::Model& model) {
+  double edge = std::numeric_limits<double>::infinity();
+  for (const auto& zone : model.zones)
+    edge = std::min(edge, zone.edge());
+  return edge;
 }
 
 class Prediction {
@@ -48,13 +59,8 @@ public:
     begin();
     const int rounds = takes_bases_ ? most_predictions_of_free_bodies : most_predictions;
     for (int round = 0; round < rounds; ++round) {
-      predictor_.improve(points_, surface_.free, free_bodies_ ? surface_.free : surface_.moved, matrix_,
-                         site_.progress);
-      if (site_.progress.stopped())
+      if (!improve(round) || (starts_afar_ && !settle()))
         return;
-      take_forces_of_first();
-      take_prediction(site_.model, points_, trial_);
-      move(round);
       follow_frames();
       if (!surface_.consistent ||
           site_.model.sharing().of_first(predictor_.misfit(points_, surface_.moved) > fitting))
@@ -67,13 +73,40 @@ public:
   }
 
 private:
+  /// Forces in the frames that there are, and where they push the surfaces; false when the progress stopped.
+  bool improve(int round) {
+    predictor_.improve(points_, surface_.free, free_bodies_ ? surface_.free : surface_.moved, matrix_,
+                       site_.progress);
+    if (site_.progress.stopped())
+      return false;
+    take_forces_of_first();
+    take_prediction(site_.model, points_, trial_);
+    move(round);
+    return true;
+  }
+
+  /// Forces across and along the surfaces are improved in turn. In a long step what is left of their error
+  /// takes a body as far as that part of its way without contact, where frames tell nothing.
+  bool settle() {
+    for (int turn = 0; turn < most_turns; ++turn) {
+      const VectorXd before = surface_.moved;
+      if (!improve(0))
+        return false;
+      if (site_.model.sharing().of_first((surface_.moved - before).lpNorm<Eigen::Infinity>() <=
+                                         settled_move * finest_edge(site_.model)))
+        return true;
+    }
+    return true;
+  }
+
   /// Where the forces of the last step push the surfaces, or where the step starts.
   void begin() {
     touching_.resize(site_.model.zones.size());
     surface_.applied = trial_.contact_force(compliance().dof_of_interface_dof());
     surface_.move(trial_);
     site_.side.measure(trial_, site_.frozen, now_);
-    if (free_bodies_ || site_.side.is_out_of_reach(now_)) {
+    starts_afar_ = !free_bodies_ && site_.side.is_out_of_reach(now_);
+    if (free_bodies_ || starts_afar_) {
       surface_.go_to(site_.side.committed().motion, trial_);
       site_.side.measure(trial_, site_.frozen, now_);
     }
@@ -161,7 +194,8 @@ private:
   bool free_bodies_;
   bool takes_bases_; ///< where points share multipliers, these take the means of the forces predicted only
   bool rubs_;
-  VectorXd last_move_; ///< from base to base
+  bool starts_afar_ = false; ///< whether contact is lost where the forces of the last step push
+  VectorXd last_move_;       ///< from base to base
 };
 
 } // namespace
@@ -171,10 +205,8 @@ PredictorScratch::PredictorScratch(Compliance& compliance, double force_weight, 
     : predictor(compliance, force_weight, components, how_far) {}
 
 Reach reach_of(const model::Model& model, const EffectiveSystem& system) {
-  double edge = std::numeric_limits<double>::infinity();
-  for (const auto& zone : model.zones)
-    edge = std::min(edge, zone.edge());
-  return Reach(system.has_free_bodies ? reach_in_edges * edge : std::numeric_limits<double>::infinity());
+  return Reach(system.has_free_bodies ? reach_in_edges * finest_edge(model)
+                                      : std::numeric_limits<double>::infinity());
 }
 
 void predict_contact(const PredictorSite& site, SurfaceMotion& surface, Reach& reach,
