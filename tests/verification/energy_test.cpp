@@ -87,12 +87,14 @@ TEST(UndampedNewmark, WarnsLongBeforeExactContactBlowsItUp) {
   auto warnings = warnings_of(
       study_of('f', "evol1", {{"time.scheme", "newmark"}, {"time.alpha", ""}, {"time.end", "0.06"}}));
   std::erase_if(warnings, [](const auto& text) {
-    return text.find("too stiff in bending") != text.npos || text.find("small strain") != text.npos;
+    return text.find("too stiff in bending") != text.npos || text.find("small strain") != text.npos ||
+           text.find("step_in_period") != text.npos;
   });
   ASSERT_EQ(warnings.size(), 2u);
   EXPECT_TRUE(warnings[0].starts_with("evol1: newmark without damping gains energy")) << warnings[0];
   EXPECT_TRUE(warnings[1].starts_with("evol1: energy gained from t = ")) << warnings[1];
-  EXPECT_NE(warnings[1].find("contact pressures gave"), std::string::npos) << warnings[1];
+  EXPECT_NE(warnings[1].find("contact pressures of contact.interface gave"), std::string::npos)
+      << warnings[1];
 }
 
 } // namespace

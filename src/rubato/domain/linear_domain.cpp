@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/domain/linear_domain.hpp"
 
+#include "rubato/domain/admitted_product.hpp"
 #include "rubato/linalg/lanczos.hpp"
 #include "rubato/linalg/ranked_matrix.hpp"
 
@@ -93,18 +94,8 @@ void LinearDomain::multiply(const VectorXd& x, VectorXd& y) const {
 
 double LinearDomain::largest_eigenvalue(const VectorXd& inverse_mass, const AddUp& add_up,
                                         const Admit& admit) const {
-  VectorXd admitted;
-  return linalg::largest_eigenvalue(
-      [&](const VectorXd& x, VectorXd& y) {
-        if (admit) {
-          admitted = x;
-          admit(admitted);
-        }
-        multiply(admit ? admitted : x, y);
-        if (add_up)
-          add_up(y);
-      },
-      inverse_mass);
+  const auto multiplied = [this](const VectorXd& x, VectorXd& y) { multiply(x, y); };
+  return linalg::largest_eigenvalue(AdmittedProduct(multiplied, add_up, admit), inverse_mass);
 }
 
 } // namespace rubato::domain

@@ -2,6 +2,7 @@
 #include "rubato/domain/nonlinear_domain.hpp"
 
 #include "rubato/core/error.hpp"
+#include "rubato/domain/admitted_product.hpp"
 #include "rubato/linalg/lanczos.hpp"
 #include "rubato/linalg/ranked_matrix.hpp"
 
@@ -92,20 +93,11 @@ const SparseMatrix& NonlinearDomain::initial_tangent() const {
 
 double NonlinearDomain::largest_eigenvalue(const VectorXd& inverse_mass, const AddUp& add_up,
                                            const Admit& admit) const {
-  VectorXd admitted;
-  return linalg::largest_eigenvalue(
-      [&](const VectorXd& given, VectorXd& y) {
-        if (admit) {
-          admitted = given;
-          admit(admitted);
-        }
-        const VectorXd& x = admit ? admitted : given;
-        constant_.multiply(x, y);
-        cells_->add_initial_product(x, y);
-        if (add_up)
-          add_up(y);
-      },
-      inverse_mass);
+  const auto multiply = [this](const VectorXd& x, VectorXd& y) {
+    constant_.multiply(x, y);
+    cells_->add_initial_product(x, y);
+  };
+  return linalg::largest_eigenvalue(AdmittedProduct(multiply, add_up, admit), inverse_mass);
 }
 
 } // namespace rubato::domain

@@ -86,7 +86,6 @@ public:
   explicit Writer(Hdf5File& file) : file_(&file) {}
 
   void text(const std::string& name, std::string& value) { file_->write(name, value); }
-  /// Left out where there is none, as in files from before there was such a text.
   void text_if(const std::string& name, std::string& value) {
     if (!value.empty())
       text(name, value);

@@ -16,8 +16,8 @@ StrainKind strain_of(const Material& material);
 /// Whether stress is a constant matrix times the small strain.
 bool has_constant_stiffness(const Material& material);
 
-/// Whether bulk cells of that type have `mean_dilatation`: all but TRIA3, TETRA4, PYRA5 and PYRA13; none in
-/// plane stress.
+/// Whether bulk cells of that type have `mean_dilatation`: all but TRIA3 and TETRA4, whose volume has one
+/// change in `full`, and pyramids, which fail the inf-sup condition with one; none in plane stress.
 bool averages_dilatation(CellType type, Physics physics);
 
 /// What the study says; without a word mean_dilatation of plastic and hyperelastic laws, else full.

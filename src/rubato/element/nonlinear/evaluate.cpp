@@ -4,6 +4,7 @@
 #include "rubato/element/nonlinear/bubble_cell.hpp"
 #include "rubato/element/nonlinear/cell_kernel.hpp"
 #include "rubato/element/nonlinear/small_hexa8.hpp"
+#include "rubato/study/formulation.hpp"
 
 #include <stdexcept>
 #include <string>
@@ -18,19 +19,6 @@ bool is_bulk(const CellKind& kind) {
          cell::topology(kind.type).dimension == component_count(kind.section.physics);
 }
 
-/// TRIA3 and TETRA4 have one change of volume in `full`; pyramids fail the inf-sup condition with one.
-bool has_mean_dilatation(const CellKind& kind) {
-  switch (kind.type) {
-  case CellType::tria3:
-  case CellType::tetra4:
-  case CellType::pyra5:
-  case CellType::pyra13:
-    return false;
-  default:
-    return kind.section.physics != Physics::plane_stress;
-  }
-}
-
 bool is_box(const CellKind& kind) {
   return kind.type == CellType::quad4 || kind.type == CellType::hexa8;
 }
@@ -42,7 +30,7 @@ bool is_offered(const CellKind& kind) {
     return false;
   switch (kind.formulation) {
   case Formulation::mean_dilatation:
-    return has_mean_dilatation(kind);
+    return study::averages_dilatation(kind.type, kind.section.physics);
   case Formulation::enhanced:
     return is_box(kind) && kind.strain != StrainKind::logarithmic;
   case Formulation::reduced:

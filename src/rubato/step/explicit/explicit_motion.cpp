@@ -3,6 +3,7 @@
 
 #include "rubato/core/error.hpp"
 #include "rubato/core/function.hpp"
+#include "rubato/domain/admitted_product.hpp"
 #include "rubato/domain/heat.hpp"
 #include "rubato/linalg/lanczos.hpp"
 #include "rubato/load/follower_pressure.hpp"
@@ -191,18 +192,8 @@ void ExplicitMotion::find_spectrum() {
 }
 
 double ExplicitMotion::largest_damping(const domain::AddUp& add_up, const domain::Admit& admit) const {
-  VectorXd admitted;
-  return linalg::largest_eigenvalue(
-      [&](const VectorXd& x, VectorXd& y) {
-        if (admit) {
-          admitted = x;
-          admit(admitted);
-        }
-        damping_->multiply(admit ? admitted : x, y);
-        if (add_up)
-          add_up(y);
-      },
-      inverse_mass_);
+  const auto multiply = [this](const VectorXd& x, VectorXd& y) { damping_->multiply(x, y); };
+  return linalg::largest_eigenvalue(domain::AdmittedProduct(multiply, add_up, admit), inverse_mass_);
 }
 
 /// What is summed over ranks.
