@@ -5,6 +5,7 @@
 #include "rubato/mesh/mesh.hpp"
 #include "rubato/model/fwd.hpp"
 #include "rubato/results/plausibility.hpp"
+#include "rubato/step/energy_ledger.hpp"
 #include "rubato/step/state.hpp"
 
 #include <cstdint>
@@ -20,7 +21,7 @@ public:
   explicit PressureWatch(const model::Model& model);
 
   /// Gaps and statuses, in every step.
-  void note(const step::State& before, const step::State& now);
+  void note(const step::State& before, const step::State& now, const step::EnergyLedger& ledger);
   /// Pressures of neighbours; costs more.
   void note_pressures(const step::State& now);
   std::vector<results::Plausibility> checks() const;
@@ -38,7 +39,9 @@ private:
   const model::Model& model_;
   std::vector<std::vector<std::uint16_t>> changes_;   ///< by zone and point: steps in a row that changed it
   std::vector<std::vector<std::vector<int>>> around_; ///< by zone: neighbours of each slave node, by position
-  Worst gap_, changing_, oscillation_;
+  Worst gap_; ///< ½ Σ N |g| of the points that press [force · length]
+  Worst changing_, oscillation_;
+  double most_in_bodies_ = 0; ///< largest strain energy
   bool any_exact_ = false;
 };
 

@@ -71,7 +71,7 @@ void Watches::note(const step::State& before, const step::State& now, const step
     return;
   strains_.note(told.t, told.motion.u);
   work_.note(before, told, ledger);
-  pressures_.note(before, told);
+  pressures_.note(before, told, ledger);
   waves_.note(before, told);
   if (!is_sampled(before.t, now.t, last))
     return;
