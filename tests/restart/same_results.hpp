@@ -53,9 +53,8 @@ inline nlohmann::json summary_in(const std::filesystem::path& file) {
   summary.erase("method");
   summary.erase("factor_bytes"); // a run that was killed after its last step factors nothing when it goes on
   summary.erase("warnings");     // they tell how the run was stopped, too
-  for (auto& check :
-       summary.at("plausibility")) // each part of a run has values of its own, the larger one stays
-    for (const auto* key : {"value", "t", "where", "warned"})
+  for (auto& check : summary.at("plausibility")) // each part of a run has values of its own
+    for (const auto* key : {"value", "t", "where", "warned", "passes"})
       check.erase(key);
   return summary;
 }

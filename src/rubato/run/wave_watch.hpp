@@ -19,7 +19,7 @@ public:
   explicit WaveWatch(const model::Model& model);
 
   void note(const step::State& before, const step::State& now);
-  /// None where kinetic energy is small beside the largest energy of the run.
+  /// None of static runs; 0 where kinetic energy is small beside the largest energy of the run.
   std::vector<results::Plausibility> checks(double largest_energy) const;
 
 private:
