@@ -46,9 +46,25 @@ const std::string line_load = "line_force: {on: Haut_Pression, y: -1e7}";
 Modeling modeling(char letter) {
   switch (letter) {
   case 'a':
-    return {"sdnl140a.med", "", "solid", beam_clamps, line_load, "N90", "", "N529, N530, N531", ""};
+    return {"sdnl140a.med",
+            "",
+            "solid",
+            beam_clamps,
+            line_load,
+            "N90",
+            "",
+            "N529, N530, N531",
+            "projection_tolerance: 0.5,"};
   case 'b':
-    return {"sdnl140b.med", "", "solid", beam_clamps, line_load, "N90", "", "N529, N530, N531", ""};
+    return {"sdnl140b.med",
+            "",
+            "solid",
+            beam_clamps,
+            line_load,
+            "N90",
+            "",
+            "N529, N530, N531",
+            "projection_tolerance: 0.5,"};
   case 'c':
   case 'e':
     return {"sdnl140c.med", boxes("hexa8"), "solid",    beam_clamps, line_load,
