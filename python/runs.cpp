@@ -18,7 +18,6 @@ namespace rubato::python {
 namespace {
 
 using results::CheckResult;
-using results::Plausibility;
 using run::Progress;
 using run::RunResult;
 
@@ -146,18 +145,6 @@ void bind_results(py::module_& module) {
       .def("__repr__", [](const CheckResult& check) {
         return fmt::format("<rubato.CheckResult: {} {}>", check.quantity, check.holds ? "holds" : "fails");
       });
-  py::class_<Plausibility>(module, "Plausibility", "A number of a run that shows where results may be wrong.")
-      .def_readonly("name", &Plausibility::name, "As \"contact_moment\".")
-      .def_readonly("value", &Plausibility::value, "The largest of the run, without unit.")
-      .def_readonly("limit", &Plausibility::limit, "The largest that passes.")
-      .def_readonly("t", &Plausibility::t, "Instant of the value [time].")
-      .def_readonly("where", &Plausibility::where, "Zone, body, cell or node; empty of the whole run.")
-      .def_readonly("advice", &Plausibility::advice, "What the number means and what to write instead.")
-      .def_property_readonly("passes", &Plausibility::passes, "Whether the value is within the limit.")
-      .def("__repr__", [](const Plausibility& check) {
-        return fmt::format("<rubato.Plausibility: {} {:.3g}, at most {:g}>", check.name, check.value,
-                           check.limit);
-      });
   py::class_<RunResult>(module, "RunResult", "How a run ended.")
       .def_property_readonly(
           "status", [](const RunResult& result) { return std::string(results::to_string(result.status)); },
@@ -173,8 +160,13 @@ void bind_results(py::module_& module) {
                     "Of this process on the run, by the clock.")
       .def_readonly("checks", &RunResult::checks, "A CheckResult each of the study's checks.")
       .def_property_readonly("checks_hold", &RunResult::checks_hold, "Whether all do.")
-      .def_readonly("plausibility", &RunResult::plausibility,
-                    "A Plausibility each of the run's checks of itself: docs/guide/results.md lists them.")
+      .def_property_readonly(
+          "plausibility",
+          [](const RunResult& result) {
+            return py::module_::import("json").attr("loads")(
+                result.plausibility.empty() ? "[]" : results::plausibility_text(result.plausibility));
+          },
+          "The checks of the run itself, a dict each, as run.json has them (docs/guide/results.md).")
       .def_property_readonly(
           "state", [](const RunResult& result) { return std::make_shared<step::State>(result.end); },
           "The last accepted one: a copy.")

@@ -403,15 +403,6 @@ class CheckResult:
     failure: Final[str]
     note: Final[str]
 
-class Plausibility:
-    name: Final[str]
-    value: Final[float]
-    limit: Final[float]
-    t: Final[float]
-    where: Final[str]
-    advice: Final[str]
-    passes: Final[bool]
-
 class RunResult:
     status: Final[str]
     message: Final[str]
@@ -423,7 +414,7 @@ class RunResult:
     loop_seconds: Final[float]
     elapsed_seconds: Final[float]
     checks: Final[list[CheckResult]]
-    plausibility: Final[list[Plausibility]]
+    plausibility: Final[list[dict[str, Any]]]
     checks_hold: Final[bool]
     state: Final[State]
 

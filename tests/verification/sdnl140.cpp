@@ -46,17 +46,8 @@ const std::string line_load = "line_force: {on: Haut_Pression, y: -1e7}";
 Modeling modeling(char letter) {
   switch (letter) {
   case 'a':
-    return {"sdnl140a.med",
-            "",
-            "solid",
-            beam_clamps,
-            line_load,
-            "N90",
-            "",
-            "N529, N530, N531",
-            "projection_tolerance: 0.5,"};
   case 'b':
-    return {"sdnl140b.med",
+    return {fmt::format("sdnl140{}.med", letter),
             "",
             "solid",
             beam_clamps,

@@ -14,7 +14,7 @@ struct Equation {
   std::vector<Term> terms; ///< a dof may occur several times
   ImposedValue value;
   int source = 0; ///< what says it, by the caller's numbers
-  /// Whether `given` has its number though its right side is 0: for Reduction::multipliers.
+  /// Whether `given` has the number of the equation even if its right side is 0, for Reduction::multipliers.
   bool has_multiplier = false;
 };
 

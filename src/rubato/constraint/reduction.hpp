@@ -118,7 +118,7 @@ public:
   double displacement(const PrescribedDof& prescribed, double t) const;
   /// Whether that may change with time.
   bool moves(const PrescribedDof& prescribed) const;
-  /// Whether the given part of one of dependents() may change with time.
+  /// Whether the given part of a dependent dof, one of dependents(), may change with time.
   bool moves(const DependentDof& dependent) const;
   /// Of one of dependents(): what no unknown gives of it, g(t) [length].
   double given_part(const DependentDof& dependent, double t) const;

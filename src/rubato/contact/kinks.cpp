@@ -2,6 +2,7 @@
 #include "rubato/contact/kinks.hpp"
 
 #include "rubato/cell/reference_cell.hpp"
+#include "rubato/contact/face_edges.hpp"
 #include "rubato/contact/sharp_edges.hpp"
 #include "rubato/contact/small_vectors.hpp"
 
@@ -19,39 +20,25 @@ using Eigen::Vector3d;
 /// Kinks below that are rounding: of half a thousandth of a degree.
 constexpr double no_kink = 1e-11;
 
-/// An edge of a face by the positions of its corners, ascending, and its middle node or −1. In 2D an end.
-struct FaceEdge {
-  std::array<int, 2> corners{};
-  int middle = -1;
-};
-
-template <class Visit> void for_each_edge(const Face& face, const Visit& visit) {
-  const auto& cell = cell::topology(face.type);
-  const auto position = [&](std::size_t node) { return face.positions[node]; };
-  if (cell.dimension == 1) {
-    for (const std::size_t end : {0U, 1U})
-      visit(FaceEdge{{position(end), position(end)}});
-    return;
-  }
-  for (std::size_t e = 0; e < cell.edges.size(); ++e) {
-    const int one = position(cell.edges[e][0]), other = position(cell.edges[e][1]);
-    const int middle = cell.order == 2 ? position(static_cast<std::size_t>(cell.corner_count) + e) : -1;
-    visit(FaceEdge{{std::min(one, other), std::max(one, other)}, middle});
-  }
+/// The positions of the ends of a side, ascending.
+std::array<int, 2> ends_of(const Face& face, const LocalEdge& side) {
+  const int from = face.positions[static_cast<std::size_t>(side.from)];
+  const int to = face.positions[static_cast<std::size_t>(side.to)];
+  return {std::min(from, to), std::max(from, to)};
 }
 
 void find_borders(Surface& surface) {
   std::map<std::array<int, 2>, int> faces_at;
   for (const auto& face : surface.faces)
-    for_each_edge(face, [&](const FaceEdge& edge) { ++faces_at[edge.corners]; });
+    for_each_side(face.type, [&](const LocalEdge& side) { ++faces_at[ends_of(face, side)]; });
   surface.at_edge.assign(surface.nodes.size(), 0);
   for (const auto& face : surface.faces)
-    for_each_edge(face, [&](const FaceEdge& edge) {
-      if (faces_at[edge.corners] != 1)
+    for_each_side(face.type, [&](const LocalEdge& side) {
+      if (faces_at[ends_of(face, side)] != 1)
         return;
-      for (const int node : {edge.corners[0], edge.corners[1], edge.middle})
+      for (const int node : {side.from, side.to, side.middle})
         if (node >= 0)
-          surface.at_edge[static_cast<std::size_t>(node)] = 1;
+          surface.at_edge[static_cast<std::size_t>(face.positions[static_cast<std::size_t>(node)])] = 1;
     });
 }
 

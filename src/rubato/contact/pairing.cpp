@@ -74,7 +74,7 @@ void consider(const Zone& zone, int face_index, const Vector3d& point, std::span
     best = candidate;
 }
 
-/// Of an edge of the reference face.
+/// The length of an edge of the reference face.
 double reference_length(CellType type) {
   return cell::topology(type).corner_count == 3 ? 1 : 2;
 }

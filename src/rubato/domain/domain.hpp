@@ -80,7 +80,7 @@ public:
 
   /// A bound from above of the largest λ of K x = λ M x, K the initial tangent, at most 1 % beyond it
   /// [1/time²]. `inverse_mass`: of each dof, 0 where it is held. `admit` replaces displacements by those that
-  /// relations admit before K is multiplied with them; `add_up` then does the transpose of it, too.
+  /// relations admit, before K is multiplied. `add_up` then applies the transpose, too.
   double largest_eigenvalue(const Eigen::VectorXd& inverse_mass, const AddUp& add_up = {},
                             const Admit& admit = {}) const;
 

@@ -32,9 +32,8 @@ constexpr double nearly_incompressible = 0.45;
 /// Above this ratio pressures of quadratic cells that are integrated in full alternate: the force of 16 × 8
 /// QUAD8 between rough plates is 2.6 % too large, and pressures deviate by a quarter of their mean.
 constexpr double quadratic_limit = 0.49;
-/// Fewer layers are too stiff in bending, where a part is longer than so many times its thickness.
+/// Fewer layers are too stiff in bending.
 constexpr int enough_layers = 4;
-constexpr double slender = 5;
 
 /// Places in `bulk.cells` of the cells of each material.
 std::vector<std::vector<std::size_t>> cells_by_material(const study::Study& study, const domain::Bulk& bulk) {

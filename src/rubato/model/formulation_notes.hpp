@@ -26,6 +26,9 @@ namespace rubato::model {
 void check_formulations(const study::Study& study, const mesh::Mesh& mesh, const domain::Bulk& bulk,
                         std::vector<Fault>& faults);
 
+/// Parts of few layers of linear cells that are longer, in thicknesses, bend too stiffly.
+inline constexpr double slender = 5;
+
 struct CellFindings {
   std::vector<std::string> notes; ///< sentences that name what to write
   int locking = 0;        ///< materials whose cells, integrated in full, keep their volume and so lock

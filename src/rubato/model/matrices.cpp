@@ -184,6 +184,7 @@ void assemble_explicit(Model& model) {
     for (Eigen::Index i = 0; i < scaling.added.size(); ++i)
       model.lumped_mass[i] += scaling.added[i];
     model.notes.push_back(described(scaling, model.study.time));
+    model.added_mass = scaling.added_mass / scaling.mass;
   }
   add_point_masses(model);
   if (by_stiffness)

@@ -107,6 +107,7 @@ struct Model {
   std::vector<ProbedCells> probe_cells;      ///< of each probe; none of those at nodes
   std::vector<domain::CutForces> probe_cuts; ///< of each probe of the study; empty where it is no cut
   int locking_materials = 0; ///< whose cells, integrated in full, keep their volume (formulation_notes.hpp)
+  double added_mass = 0;     ///< by mass_scaling, in parts of the mass of the cells
   double slenderness = 0;    ///< of a part of few layers that bends too stiffly; 0: none does
   std::vector<std::string> notes;      ///< sentences that whoever runs the model should read
   std::vector<int> multiplier_offsets; ///< first multiplier of each zone

@@ -11,7 +11,6 @@
 #include "rubato/results/seal.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <concepts>
@@ -352,9 +351,9 @@ template <class Archive> void exchange(Archive& archive, step::EnergyRecord& rec
 }
 
 template <class Archive> void exchange(Archive& archive, std::vector<Plausibility>& checks) {
-  auto text = checks.empty() ? std::string() : plausibility_json(checks).dump();
+  auto text = plausibility_text(checks);
   archive.text_if("plausibility", text);
-  checks = text.empty() ? std::vector<Plausibility>() : plausibility_of(nlohmann::ordered_json::parse(text));
+  checks = plausibility_of(text);
 }
 
 template <class Archive> void exchange(Archive& archive, RecorderPosition& position) {

@@ -51,9 +51,15 @@ ordered_json plausibility_json(std::span<const Plausibility> checks) {
   return list;
 }
 
-std::vector<Plausibility> plausibility_of(const ordered_json& list) {
+std::string plausibility_text(std::span<const Plausibility> checks) {
+  return checks.empty() ? "" : plausibility_json(checks).dump();
+}
+
+std::vector<Plausibility> plausibility_of(const std::string& text) {
   std::vector<Plausibility> checks;
-  for (const auto& json : list)
+  if (text.empty())
+    return checks;
+  for (const auto& json : ordered_json::parse(text))
     checks.push_back({json.at("check").get<std::string>(),
                       json.at("value").is_null() ? NAN : json.at("value").get<double>(),
                       json.at("limit").get<double>(), json.at("t").get<double>(),

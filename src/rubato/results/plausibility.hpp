@@ -10,13 +10,13 @@
 
 namespace rubato::results {
 
-/// One number of a whole run and the largest that passes.
+/// A number of a whole run and the largest that passes.
 struct Plausibility {
   std::string name;    ///< "contact_moment"; docs/guide/results.md lists all
   double value = 0;    ///< the largest of the run, without unit
   double limit = 0;    ///< the largest that passes
   double t = 0;        ///< when it was largest
-  std::string where;   ///< zone, body, cell or node; empty where the whole run is meant
+  std::string where;   ///< zone, body, cell or node; empty of the whole run
   std::string advice;  ///< what the number means and what to write instead
   bool warned = false; ///< whether the run has a warning of it already
 
@@ -34,8 +34,11 @@ std::string summary_of(std::span<const Plausibility> checks);
 /// The sentence that warns of a check that does not pass.
 std::string warning_of(const Plausibility& check);
 
+/// The list in run.json; a value that is not finite is null.
 nlohmann::ordered_json plausibility_json(std::span<const Plausibility> checks);
-/// The checks of such a list.
-std::vector<Plausibility> plausibility_of(const nlohmann::ordered_json& list);
+/// The same as text; empty of no checks.
+std::string plausibility_text(std::span<const Plausibility> checks);
+/// The checks of such a text.
+std::vector<Plausibility> plausibility_of(const std::string& text);
 
 } // namespace rubato::results

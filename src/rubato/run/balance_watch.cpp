@@ -21,14 +21,14 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using results::Plausibility;
 
-/// Rounding of sums, and what a step leaves unbalanced.
+/// Sums of forces leave so much by rounding and by what a step leaves unbalanced.
 constexpr double unbalanced_force_limit = 1e-4;
-/// A body that turns by 0.05 under small strain has such a moment.
+/// The moment of a body that turns by 0.05 under small strain.
 constexpr double unbalanced_moment_limit = 0.05;
-/// Parts of a face by which the resultants on the two sides of a zone may stand beside one another.
+/// The largest distance between the lines of action on both sides of a zone, in longest edges of the slave.
 constexpr double offset_limit = 0.1;
-/// Of Σ|f_int|: what acts on a body counts at least as much, so that rounding in bodies that only stress
-/// themselves is none.
+/// The least scale, in parts of Σ|f_int|: the rounding of bodies that only stress themselves stays below the
+/// limits.
 constexpr double least_of_internal = 1e-3;
 
 void keep(Resultant& kept, double sum, double scale, double t) {
@@ -37,7 +37,7 @@ void keep(Resultant& kept, double sum, double scale, double t) {
     kept = {sum, kept.scale, t};
 }
 
-/// Nodes on which springs, connectors and gauges act.
+/// The nodes on which springs and connectors act.
 std::vector<mesh::NodeIndex> sprung_nodes(const model::Model& model) {
   std::vector<mesh::NodeIndex> nodes;
   for (const auto& spring : model.springs)
@@ -46,13 +46,6 @@ std::vector<mesh::NodeIndex> sprung_nodes(const model::Model& model) {
     for (const auto& term : connector.row)
       nodes.push_back(model.node_of(term.dof));
   return nodes;
-}
-
-double longest_face(const model::Model& model) {
-  double longest = 0;
-  for (const auto& zone : model.zones)
-    longest = std::max(longest, zone.slave.longest_edge);
-  return longest;
 }
 
 std::string zones_text(const model::Model& model) {
@@ -72,6 +65,8 @@ BalanceWatch::BalanceWatch(const model::Model& model)
     return zone.obstacle.has_value();
   });
   of_before_ = model.study.time.scheme == study::SchemeKind::energy_momentum ? 0.5 : 0;
+  for (const auto& zone : model.zones)
+    longest_face_ = std::max(longest_face_, zone.slave.longest_edge);
   takes_moments_ = model.study.physics != study::Physics::axisymmetric;
 }
 
@@ -173,17 +168,16 @@ void BalanceWatch::note_contact(const std::vector<Vector3d>& places, const step:
       centre /= size;
   }
   keep(contact_force_, length_of(force), size, now.t);
-  keep(contact_moment_, length_of(moment), 0.5 * size * longest_face(model_), now.t);
+  keep(contact_moment_, length_of(moment), 0.5 * size * longest_face_, now.t);
 }
 
 std::vector<Plausibility> BalanceWatch::checks() const {
-  Plausibility force{
-      "body_forces",
-      0,
-      unbalanced_force_limit,
-      0,
-      "",
-      "internal forces of a body do not sum to zero; expected a smaller 'convergence.residual'"};
+  Plausibility force{"body_forces",
+                     0,
+                     unbalanced_force_limit,
+                     0,
+                     "",
+                     "internal forces of a body do not sum to zero; expected a smaller 'newton.residual'"};
   Plausibility moment{"body_moments",
                       0,
                       unbalanced_moment_limit,
@@ -213,10 +207,10 @@ std::vector<Plausibility> BalanceWatch::checks() const {
     checks.push_back({"contact_forces", contact_force_.ratio(), unbalanced_force_limit, contact_force_.t,
                       zones_text(model_), "forces on slave and master differ; expected finer faces"});
     if (takes_moments_)
-      checks.push_back(
-          {"contact_moment", contact_moment_.ratio(), offset_limit, contact_moment_.t, zones_text(model_),
-           "forces on slave and master stand beside one another by this part of a face; expected "
-           "finer faces, the other side as slave, or a shorter step"});
+      checks.push_back({"contact_moment", contact_moment_.ratio(), offset_limit, contact_moment_.t,
+                        zones_text(model_),
+                        "the lines of action on slave and master are this part of a face apart; expected "
+                        "finer faces, the other side as slave, or a shorter step"});
   }
   return checks;
 }

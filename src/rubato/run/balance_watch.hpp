@@ -13,7 +13,7 @@
 
 namespace rubato::run {
 
-/// A sum that should vanish, and what it is compared with, both the largest of the run.
+/// A sum that vanishes in balance, and its scale: the largest of the run each.
 struct Resultant {
   double sum = 0;
   double scale = 0;
@@ -22,11 +22,11 @@ struct Resultant {
   double ratio() const { return scale > 0 ? sum / scale : 0; }
 };
 
-/// Sums over the nodes of each body f_int and x × f_int, x deformed, and compares them with the same sums of
-/// the magnitudes of what acts on the body: loads, reactions, contact, inertia. Bodies that springs and
-/// connectors hold are left out: their forces are part of f_int. Sums over all bodies contact forces and
-/// x × f; where slave and master feel the same force on one line, both vanish. Near obstacles, which feel
-/// nothing, and about the axis of axisymmetric studies no moments are taken.
+/// Takes Σ f_int and Σ x × f_int of each body, x deformed. Their scale is the sum of the magnitudes of loads,
+/// reactions, contact and inertia on the body. Bodies with springs and connectors are left out: f_int has
+/// those forces, too. Takes Σ f and Σ x × f of contact over all bodies: both vanish where slave and master
+/// have the same force on one line. Moments are not taken about the axis of axisymmetric studies, sums of
+/// contact not with obstacles.
 class BalanceWatch {
 public:
   /// The model must outlive this.
@@ -52,7 +52,8 @@ private:
   Resultant contact_force_, contact_moment_;
   bool balances_contact_ = false; ///< whether a master feels every contact force
   bool takes_moments_ = true;
-  double of_before_ = 0; ///< part of the start of a step in the place where its forces act
+  double longest_face_ = 0; ///< of all slaves [length]
+  double of_before_ = 0;    ///< part of the start of a step in the place where its forces act
 };
 
 } // namespace rubato::run

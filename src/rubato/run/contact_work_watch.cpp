@@ -15,16 +15,16 @@
 namespace rubato::run {
 namespace {
 
-/// Of the largest energy.
+/// The largest work across gaps, in parts of the largest energy. A slave normal that drags does 0.1 to 0.8.
 constexpr double work_across_gaps_limit = 2e-2;
 
-/// Whether gaps change by the motion of bodies alone, and nothing is stored in them.
+/// Whether the gaps of a zone change by the motion of bodies alone and store nothing.
 bool is_moved_by_bodies(const contact::Zone& zone) {
   return study::entry_of(zone.settings.method).exact && !zone.settings.tie && !zone.offset.moves() &&
          !(zone.obstacle && zone.obstacle->moves());
 }
 
-/// What the pressures of a zone take in a step, if they act along its gaps.
+/// The energy that pressures of a zone take in a step if they act along its gaps.
 double taken_along_gaps(const contact::ZoneState& before, const contact::ZoneState& now) {
   double taken = 0;
   for (std::size_t i = 0; i < now.outcomes.size(); ++i) {

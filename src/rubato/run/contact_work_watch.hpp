@@ -23,7 +23,8 @@ public:
   void note(const step::State& before, const step::State& now, const step::EnergyLedger& ledger);
   /// "contact.z" of the zone whose pressures have given most along its gaps so far; empty where none has.
   std::string giver() const;
-  /// None of runs that are not static, without exact contact, or where obstacles or gaps move by themselves.
+  /// The check of a static run whose contact is exact; none of other runs, nor where obstacles or gaps move
+  /// by themselves.
   std::vector<results::Plausibility> checks() const;
 
 private:

@@ -41,7 +41,6 @@ private:
   int gained_for_ = 0; ///< instants in a row at which the gain was worth a warning
   bool warned_ = false;
   double most_internal_ = 0; ///< that bodies have stored and dissipated
-  bool told_hourglasses_ = false;
   double gain_part_ = 0; ///< of the largest energy: gained where it was warned of, else the most below that
   double hourglass_part_ = 0; ///< the most that hourglasses held of what the bodies stored and dissipated
 };

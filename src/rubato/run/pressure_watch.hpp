@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// How far contact points that touch are from being closed, settled and smooth.
+/// Statuses that alternate from step to step, pressures that oscillate from node to node.
 #pragma once
 
 #include "rubato/mesh/mesh.hpp"
 #include "rubato/model/fwd.hpp"
 #include "rubato/results/plausibility.hpp"
-#include "rubato/step/energy_ledger.hpp"
 #include "rubato/step/state.hpp"
 
 #include <cstdint>
@@ -14,15 +13,15 @@
 
 namespace rubato::run {
 
-/// Looks at the points of exact zones in every step, at pressures of nodes beside one another where asked.
+/// Of exact zones that are no ties.
 class PressureWatch {
 public:
   /// The model must outlive this.
   explicit PressureWatch(const model::Model& model);
 
-  /// Gaps and statuses, in every step.
-  void note(const step::State& before, const step::State& now, const step::EnergyLedger& ledger);
-  /// Pressures of neighbours; costs more.
+  /// Takes the statuses of a step.
+  void note(const step::State& before, const step::State& now);
+  /// Takes the pressures of neighbouring nodes, which costs more.
   void note_pressures(const step::State& now);
   std::vector<results::Plausibility> checks() const;
 
@@ -39,9 +38,7 @@ private:
   const model::Model& model_;
   std::vector<std::vector<std::uint16_t>> changes_;   ///< by zone and point: steps in a row that changed it
   std::vector<std::vector<std::vector<int>>> around_; ///< by zone: neighbours of each slave node, by position
-  Worst gap_; ///< ½ Σ N |g| of the points that press [force · length]
   Worst changing_, oscillation_;
-  double most_in_bodies_ = 0; ///< largest strain energy
   bool any_exact_ = false;
 };
 

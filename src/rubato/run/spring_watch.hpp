@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Says when the springs of penalties give way as bodies do.
+/// Says when contact springs, or gaps of points that press, take part of what a given way squeezes.
 #pragma once
 
 #include "rubato/mesh/mesh.hpp"
@@ -10,13 +10,15 @@
 #include "rubato/step/state.hpp"
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace rubato::run {
 
 /// A penalty is in series with the bodies that it holds apart. Of what a given way squeezes, the springs take
 /// the part of it that they have of the energy, and forces are too small by that part. Said once, at the end,
-/// of the zone whose springs held most.
+/// of the zone whose springs held most. Exact zones have no springs, but a law of velocities keeps the gap
+/// that a point had when it closed: bodies are squeezed by so much less or more.
 class SpringWatch {
 public:
   /// Everything must outlive this.
@@ -25,11 +27,11 @@ public:
   void note(const step::State& now, const step::EnergyLedger& ledger);
   /// At the end of the run.
   void tell() const;
-  /// None where no zone has springs.
+  /// contact_springs of zones that have springs, closed_gaps of exact zones; ties have neither.
   std::vector<results::Plausibility> checks() const;
 
 private:
-  /// What the springs of a zone hold, and the point that is pressed most.
+  /// ½ Σ N |g| of a zone, and its point of the largest pressure.
   struct Held {
     double energy = 0; ///< [force · length]
     double t = 0;
@@ -39,13 +41,14 @@ private:
     double stiffness = 0; ///< of its spring, as a coefficient of its method
   };
 
-  double part() const { return most_in_bodies_ > 0 ? most_.energy / most_in_bodies_ : 0; }
+  double part_of(const Held& held) const;
+  std::string place_of(const Held& held) const;
   Held held_by(std::size_t zone, const step::State& now) const;
 
   const model::Model& model_;
   const Watch& watch_;
   double most_in_bodies_ = 0; ///< largest strain energy
-  Held most_;
+  Held most_in_springs_, most_in_gaps_;
 };
 
 } // namespace rubato::run

@@ -155,23 +155,32 @@ void StrainWatch::add(std::size_t cell) {
 }
 
 void StrainWatch::note(double t, const VectorXd& u) {
-  if (cells_.empty() || (told_turn_ && told_stretch_))
+  if (cells_.empty() || (told_turn() && told_stretch()))
     return;
   if (looked_at_.size() > 0 && largest_move(looked_at_, u) < margin_)
     return;
-  const auto [turn, stretch] = model_.dofs.components == 2 ? worst_at<2>(u) : worst_at<3>(u);
-  if (turn.size > largest_.turn.size)
-    largest_.turn = {turn.size, turn.cell, t};
-  if (stretch.size > largest_.stretch.size)
-    largest_.stretch = {stretch.size, stretch.cell, t};
-  if (!told_turn_ && turn.size > model::largest_small_angle)
+  auto [turn, stretch] = model_.dofs.components == 2 ? worst_at<2>(u) : worst_at<3>(u);
+  turn.t = stretch.t = t;
+  if (!told_turn() && turn.size > model::largest_small_angle)
     tell_turn(t, turn);
-  if (!told_stretch_ && stretch.size > largest_small_strain)
+  if (!told_stretch() && stretch.size > largest_small_strain)
     tell_stretch(t, stretch);
+  if (turn.size > largest_.turn.size)
+    largest_.turn = turn;
+  if (stretch.size > largest_.stretch.size)
+    largest_.stretch = stretch;
   looked_at_ = u;
-  const double to_turn = told_turn_ ? INFINITY : model::largest_small_angle - turn.size;
-  const double to_stretch = told_stretch_ ? INFINITY : largest_small_strain - stretch.size;
+  const double to_turn = told_turn() ? INFINITY : model::largest_small_angle - turn.size;
+  const double to_stretch = told_stretch() ? INFINITY : largest_small_strain - stretch.size;
   margin_ = std::min(to_turn, to_stretch) / (std::sqrt(model_.dofs.components) * steepest_);
+}
+
+bool StrainWatch::told_turn() const {
+  return largest_.turn.size > model::largest_small_angle;
+}
+
+bool StrainWatch::told_stretch() const {
+  return largest_.stretch.size > largest_small_strain;
 }
 
 template <int D> StrainWatch::Found StrainWatch::worst_at(const VectorXd& u) const {
@@ -190,18 +199,19 @@ template <int D> StrainWatch::Found StrainWatch::worst_at(const VectorXd& u) con
       }
     const double hoop = by_radius * outward / corners;
     if (const double square = square_of_turn<D>(h); square > turn.size)
-      turn = {square, cell, 0};
+      turn = {.size = square, .cell = cell};
     double square = square_of_strain<D>(h, hoop);
     if (square > limit) // of what is less the length will do
       square = std::pow(principal_strain<D>(h, hoop), 2);
     if (square > stretch.size)
-      stretch = {square, cell, 0};
+      stretch = {.size = square, .cell = cell};
   }
-  return {{std::sqrt(turn.size), turn.cell, 0}, {std::sqrt(stretch.size), stretch.cell, 0}};
+  turn.size = std::sqrt(turn.size);
+  stretch.size = std::sqrt(stretch.size);
+  return {turn, stretch};
 }
 
 void StrainWatch::tell_turn(double t, const Worst& turn) {
-  told_turn_ = true;
   watch_.warn(fmt::format("{}: at t = {:g} {} of material '{}' has turned by {:.3g} radians, more than {}: "
                           "small strain stretches what turns, here by {:.2g}; {}",
                           model_.study.name, t, domain::cell_label(model_.mesh, model_.bulk.cells[turn.cell]),
@@ -210,7 +220,6 @@ void StrainWatch::tell_turn(double t, const Worst& turn) {
 }
 
 void StrainWatch::tell_stretch(double t, const Worst& stretch) {
-  told_stretch_ = true;
   watch_.warn(
       fmt::format("{}: at t = {:g} {} of material '{}' has a strain of {:.3g}, more than {}: small strain "
                   "leaves out its square, here {:.2g}; {}",
@@ -230,9 +239,9 @@ std::vector<results::Plausibility> StrainWatch::checks() const {
     return domain::cell_label(model_.mesh, model_.bulk.cells[worst.cell]);
   };
   return {{"rotation", largest_.turn.size, model::largest_small_angle, largest_.turn.t, place(largest_.turn),
-           "", told_turn_},
+           "", told_turn()},
           {"strain", largest_.stretch.size, largest_small_strain, largest_.stretch.t, place(largest_.stretch),
-           "", told_stretch_}};
+           "", told_stretch()}};
 }
 
 } // namespace rubato::run

@@ -51,6 +51,8 @@ private:
   template <int D> Found worst_at(const Eigen::VectorXd& u) const;
   void tell_turn(double t, const Worst& turn);
   void tell_stretch(double t, const Worst& stretch);
+  bool told_turn() const;
+  bool told_stretch() const;
   const study::Material& material_of(std::size_t cell) const;
 
   const model::Model& model_;
@@ -61,8 +63,7 @@ private:
   double steepest_ = 0;       ///< largest Σ|∂N_i/∂X| of a cell [1/length]
   Eigen::VectorXd looked_at_; ///< u where all were looked at last
   double margin_ = 0;         ///< how far any dof may move from there before one can be beyond [length]
-  Found largest_;
-  bool told_turn_ = false, told_stretch_ = false;
+  Found largest_;             ///< so far; beyond its limit once it is told
 };
 
 } // namespace rubato::run

@@ -68,7 +68,6 @@ TurnWatch::TurnWatch(const model::Model& model, const Watch& watch) : model_(mod
   for (const auto& reference : model.references)
     if (reference.turns && is_bound(model.study, reference))
       watched_.push_back(&reference);
-  any_ = !ways_.empty() || !watched_.empty();
 }
 
 void TurnWatch::note(const step::State& now) {
@@ -110,7 +109,7 @@ void TurnWatch::note_relations(const step::State& now) {
 }
 
 std::vector<results::Plausibility> TurnWatch::checks() const {
-  if (!any_)
+  if (ways_.empty() && watched_.empty() && largest_.turn == 0)
     return {};
   return {{"relation_rotation", largest_.turn, model::largest_small_angle, largest_.t, largest_.where, "",
            largest_.turn > model::largest_small_angle}};

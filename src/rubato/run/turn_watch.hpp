@@ -42,7 +42,6 @@ private:
   std::vector<const model::Reference*> watched_;
   std::vector<const model::ConnectorWay*> ways_;
   Largest largest_;
-  bool any_ = false;
 };
 
 } // namespace rubato::run

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/run/watches.hpp"
 
-#include "rubato/model/mass_scaling.hpp"
+#include "rubato/model/formulation_notes.hpp"
 #include "rubato/model/model.hpp"
 
 #include <fmt/format.h>
@@ -14,32 +14,26 @@ namespace {
 
 using results::Plausibility;
 
-/// Instants of a run at which sums over all nodes are taken: they would cost too much in every step.
+/// How many instants of a run sums over all nodes are taken at: in every step they would cost too much.
 constexpr double samples = 20;
-/// Parts that are longer, in thicknesses, bend too stiffly with few layers of linear cells.
-constexpr double slender_limit = 5;
-/// Of the mass of the bodies.
+/// In parts of the mass of the bodies.
 constexpr double added_mass_limit = 0.05;
 
 void append(std::vector<Plausibility>& all, const std::vector<Plausibility>& more) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
-Plausibility added_mass(const model::Model& model) {
-  const auto scaling = model::scaled_masses(model);
-  return {"added_mass",
-          scaling.added_mass / scaling.mass,
-          added_mass_limit,
-          model.study.time.begin,
-          "",
-          "mass_scaling adds this part of the mass of the bodies; expected a shorter 'mass_scaling.step'"};
-}
-
-/// Of cells that notes have told of before the first step.
-std::vector<Plausibility> told_cells(const model::Model& model) {
-  return {{"locking_materials", static_cast<double>(model.locking_materials), 0, model.study.time.begin, "",
-           "", true},
-          {"slender_parts", model.slenderness, slender_limit, model.study.time.begin, "", "", true}};
+/// The checks that the model decides before the first step. Notes of the model warn of its cells.
+std::vector<Plausibility> checks_of(const model::Model& model) {
+  const double t = model.study.time.begin;
+  std::vector<Plausibility> checks{
+      {"locking_materials", static_cast<double>(model.locking_materials), 0, t, "", "", true},
+      {"slender_parts", model.slenderness, model::slender, t, "", "", true}};
+  if (model.study.time.mass_scaling)
+    checks.push_back({"added_mass", model.added_mass, added_mass_limit, t, "",
+                      "mass_scaling adds this part of the mass of the bodies; expected a shorter "
+                      "'time.mass_scaling.step'"});
+  return checks;
 }
 
 } // namespace
@@ -49,12 +43,10 @@ Watches::Watches(const model::Model& model, const Watch& watch, const step::Ener
     : model_(model), watch_(watch), former_(std::move(former)), energy_(model.study.name, watch, record),
       overlaps_(model, watch), recall_(model, watch), turns_(model, watch), strains_(model, watch),
       springs_(model, watch), balance_(model), work_(model), pressures_(model), waves_(model) {
-  results::keep_larger(former_, told_cells(model));
-  if (model.study.time.mass_scaling)
-    results::keep_larger(former_, std::vector{added_mass(model)});
+  results::keep_larger(former_, checks_of(model));
 }
 
-/// The first step into each twentieth of the run, and the last.
+/// Takes the first step into each twentieth of the run, and the last step.
 bool Watches::is_sampled(double before, double now, bool last) const {
   const auto& time = model_.study.time;
   const double part = (time.end - time.begin) / samples;
@@ -71,7 +63,7 @@ void Watches::note(const step::State& before, const step::State& now, const step
     return;
   strains_.note(told.t, told.motion.u);
   work_.note(before, told, ledger);
-  pressures_.note(before, told, ledger);
+  pressures_.note(before, told);
   waves_.note(before, told);
   if (!is_sampled(before.t, now.t, last))
     return;

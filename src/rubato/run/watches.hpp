@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// All that looks at the steps of a run for results that may be wrong.
+/// The watches of a run: each looks at its steps for one kind of wrong result.
 #pragma once
 
 #include "rubato/results/plausibility.hpp"
@@ -18,20 +18,20 @@
 
 namespace rubato::run {
 
-/// Warns while the run goes where a watch has a warning of its own, and checks the whole run at its end.
+/// Warnings of single watches come in their step, checks of the whole run at its end.
 class Watches {
 public:
   /// Everything must outlive this. `record`, `former`: of the run before it was resumed, or none.
   Watches(const model::Model& model, const Watch& watch, const step::EnergyRecord& record,
           std::vector<results::Plausibility> former);
 
-  /// An accepted step; `told`: its end as results have it.
+  /// Takes an accepted step; `told`: its end as results have it.
   void note(const step::State& before, const step::State& now, const step::State& told,
             const step::EnergyLedger& ledger, bool last);
-  /// The energy of a step that counts.
+  /// Takes the energy of a committed step.
   void note_energy(double t, const step::EnergyLedger& ledger);
   const step::EnergyRecord& energy() const { return energy_.record(); }
-  /// Of the run so far, with its earlier parts.
+  /// The checks of the run so far, with its parts before it was resumed.
   std::vector<results::Plausibility> checks() const;
   /// At the end of the run: warns of what only the whole run shows, and of checks that do not pass and that
   /// nothing has warned of. The checks.

@@ -14,13 +14,13 @@
 namespace rubato::run {
 namespace {
 
-/// Of the largest energy, on average over the run: bodies with less move as in statics.
+/// The least mean kinetic energy, in parts of the largest energy: bodies with less move as in statics.
 constexpr double least_kinetic = 1e-2;
-/// Of a period, and of a wavelength.
+/// The largest step in parts of a period, and the largest cell in parts of a wavelength.
 constexpr double longest_part_of_period = 0.25;
 constexpr double longest_part_of_wave = 1. / 6;
 
-/// The geometric mean of the edges, over the order of the cell [length].
+/// The geometric mean of the edges of a cell over its order [length].
 double spacing_in(const mesh::Mesh& mesh, mesh::CellIndex cell) {
   const auto& topology = cell::topology(mesh.type_of(cell));
   const auto nodes = mesh.nodes_of(cell);
@@ -33,7 +33,7 @@ double spacing_in(const mesh::Mesh& mesh, mesh::CellIndex cell) {
   return std::exp(sum / static_cast<double>(topology.edges.size())) / topology.order;
 }
 
-/// Of shear waves at small strain; 0 where the law has no shear modulus of its own, or no density.
+/// The speed of shear waves at small strain; 0 of orthotropic laws, of values by place and without density.
 double shear_speed(const study::Material& material) {
   if (material.law == study::LawKind::orthotropic || !material.in_place.empty() ||
       !(material.density.value_or(0) > 0))

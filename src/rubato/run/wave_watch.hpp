@@ -19,7 +19,8 @@ public:
   explicit WaveWatch(const model::Model& model);
 
   void note(const step::State& before, const step::State& now);
-  /// None of static runs; 0 where kinetic energy is small beside the largest energy of the run.
+  /// The checks of a dynamic run, none of a static one. Values are 0 where kinetic energy is small beside the
+  /// largest energy.
   std::vector<results::Plausibility> checks(double largest_energy) const;
 
 private:

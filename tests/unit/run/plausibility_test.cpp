@@ -235,7 +235,7 @@ TEST(Plausibility, ComesBackFromJsonToTheLastBit) {
   const std::vector<Plausibility> checks{
       {"a", 1. / 3, 0.1, 1e-3 / 7, "contact.z at node N1", "expected 'x'", true},
       {"b", 0, 1, 0, "", "", false}};
-  EXPECT_EQ(results::plausibility_of(results::plausibility_json(checks)), checks);
+  EXPECT_EQ(results::plausibility_of(results::plausibility_text(checks)), checks);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "rubato/contact/mortar/frames.hpp"
 
 #include "rubato/cell/reference_cell.hpp"
+#include "rubato/contact/face_edges.hpp"
 #include "rubato/contact/projection.hpp"
 #include "rubato/contact/small_vectors.hpp"
 
@@ -56,19 +57,16 @@ struct EdgePlace {
 };
 using Edge = std::array<mesh::NodeIndex, 2>;
 
-template <class Visit> void for_each_edge(const Face& face, int index, const Visit& visit) {
-  const auto& cell = cell::topology(face.type);
-  if (cell.dimension == 1) {
-    for (const std::size_t end : {0U, 1U})
-      visit(Edge{face.nodes[end], face.nodes[end]}, EdgePlace{index, node_place(face.type, end)});
-    return;
-  }
-  for (const auto& [from, to] : cell.edges) {
-    const auto start = node_place(face.type, from), end = node_place(face.type, to);
-    const Vector2d middle(0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1]));
-    const auto [low, high] = std::minmax(face.nodes[from], face.nodes[to]);
-    visit(Edge{low, high}, EdgePlace{index, middle});
-  }
+Edge nodes_of(const Face& face, const LocalEdge& side) {
+  const auto [low, high] = std::minmax(face.nodes[static_cast<std::size_t>(side.from)],
+                                       face.nodes[static_cast<std::size_t>(side.to)]);
+  return {low, high};
+}
+
+EdgePlace place_on(const Face& face, int index, const LocalEdge& side) {
+  const auto from = node_place(face.type, static_cast<std::size_t>(side.from));
+  const auto to = node_place(face.type, static_cast<std::size_t>(side.to));
+  return {index, Vector2d(0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1]))};
 }
 
 } // namespace
@@ -154,9 +152,12 @@ struct CommonEdge {
 template <class Visit>
 void for_each_common_edge(const Surface& surface, std::span<const Vector3d> x, const Visit& visit) {
   std::map<Edge, std::vector<EdgePlace>> edges;
-  for (std::size_t f = 0; f < surface.faces.size(); ++f)
-    for_each_edge(surface.faces[f], static_cast<int>(f),
-                  [&](const Edge& edge, const EdgePlace& place) { edges[edge].push_back(place); });
+  for (std::size_t f = 0; f < surface.faces.size(); ++f) {
+    const auto& face = surface.faces[f];
+    for_each_side(face.type, [&](const LocalEdge& side) {
+      edges[nodes_of(face, side)].push_back(place_on(face, static_cast<int>(f), side));
+    });
+  }
   const auto normal_at = [&](const EdgePlace& place) {
     const auto& face = surface.faces[static_cast<std::size_t>(place.face)];
     return outward_normal(face.type, values_of(face, x), place.xi);

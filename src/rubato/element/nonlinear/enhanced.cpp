@@ -31,11 +31,9 @@ EnhancedCell::EnhancedCell(CellPoints& cell, CellGradients& gradients)
 }
 
 CellResult EnhancedCell::solve() {
-  auto result = respond();
-  for (int i = 0; i < cell_.input.modes.most_iterations && result && !is_solved(); ++i)
-    result = improved();
-  if (result && !is_solved())
-    result = {Failure::mode_iteration};
+  auto result = solve_modes(
+      cell_.input.modes.most_iterations, [&] { return respond(); }, [&] { return is_solved(); },
+      [&] { return improved(); });
   result.mode_force = scale_;
   std::copy_n(unknowns_.begin(), modes_, cell_.output.now.subspan(cell_.law_states()).begin());
   return result;
@@ -43,21 +41,7 @@ CellResult EnhancedCell::solve() {
 
 void EnhancedCell::put_tangent(const MatrixView& k) {
   set_blocks(0);
-  const auto all = whole();
-  const int n = node_dofs();
-  const ModeFactor factor(all, n, modes_);
-  for (int j = 0; j < n; ++j) {
-    ModeValues solved;
-    for (int m = 0; m < modes_; ++m)
-      solved[place(m)] = all(j, n + m);
-    factor.solve(solved);
-    std::array<double, 24> followed{};
-    for (int m = 0; m < modes_; ++m)
-      for (int i = 0; i <= j; ++i)
-        followed[place(i)] += all(i, n + m) * solved[place(m)];
-    for (int i = 0; i <= j; ++i)
-      k(i, j) = k(j, i) = all(i, j) - followed[place(i)];
-  }
+  condense_modes(whole(), node_dofs(), modes_, k);
 }
 
 template <int d> Eigen::Matrix3d EnhancedCell::strain_of_modes(int q) const {

@@ -28,13 +28,11 @@ MeanCell::MeanCell(CellPoints& cell, CellGradients& gradients, bool wants_tangen
 }
 
 CellResult MeanCell::solve() {
-  auto result = respond();
   if (modes_ == 0)
-    return result;
-  for (int i = 0; i < cell_.input.modes.most_iterations && result && !is_solved(); ++i)
-    result = improved();
-  if (result && !is_solved())
-    result = {Failure::mode_iteration};
+    return respond();
+  auto result = solve_modes(
+      cell_.input.modes.most_iterations, [&] { return respond(); }, [&] { return is_solved(); },
+      [&] { return improved(); });
   result.mode_force = scale_;
   std::copy_n(unknowns_.begin(), modes_, cell_.output.now.subspan(cell_.law_states()).begin());
   return result;
@@ -44,7 +42,7 @@ void MeanCell::put_tangent(const MatrixView& k) {
   if (modes_ == 0)
     return put_stiffness(0, k);
   put_stiffness(0, whole());
-  condense(k);
+  condense_modes(whole(), node_dofs(), modes_, k);
 }
 
 /// Evaluates the laws, P_c and the force on the bubble at the present α.
@@ -170,25 +168,6 @@ MeanCell::Forces MeanCell::forces_of(const AtPoints<Eigen::Matrix3d>& tensors, i
           forces[place(node_dofs() + a)] +=
               gradients.weight(q) * weighted[place(q)].data()[at] * gradients.at(q, row, gradients.nodes());
   return forces;
-}
-
-/// K − K_uα K_αα⁻¹ K_αu.
-void MeanCell::condense(const MatrixView& k) {
-  const auto all = whole();
-  const int n = node_dofs();
-  const ModeFactor factor(all, n, modes_);
-  for (int j = 0; j < n; ++j) {
-    ModeValues solved;
-    for (int m = 0; m < modes_; ++m)
-      solved[place(m)] = all(j, n + m);
-    factor.solve(solved);
-    for (int i = 0; i <= j; ++i) {
-      double followed = 0;
-      for (int m = 0; m < modes_; ++m)
-        followed += all(i, n + m) * solved[place(m)];
-      k(i, j) = k(j, i) = all(i, j) - followed;
-    }
-  }
 }
 
 } // namespace rubato::element

@@ -41,7 +41,6 @@ private:
   void put_stiffness(int first_node, const MatrixView& k);
   void add_dilatation(int first_dof, const MatrixView& k) const;
   Forces forces_of(const AtPoints<Eigen::Matrix3d>& tensors, int m) const;
-  void condense(const MatrixView& k);
 
   CellPoints& cell_;
   MeanDilatation mean_;

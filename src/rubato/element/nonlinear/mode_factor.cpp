@@ -82,4 +82,21 @@ double largest(const ModeValues& values, int size) {
   return most;
 }
 
+void condense_modes(const MatrixView& all, int node_dofs, int size, const MatrixView& k) {
+  const ModeFactor factor(all, node_dofs, size);
+  std::array<double, static_cast<std::size_t>(3 * most_nodes_of_cell)> followed;
+  for (int j = 0; j < node_dofs; ++j) {
+    ModeValues solved;
+    for (int m = 0; m < size; ++m)
+      solved[static_cast<std::size_t>(m)] = all(j, node_dofs + m);
+    factor.solve(solved);
+    std::fill_n(followed.begin(), j + 1, 0.);
+    for (int m = 0; m < size; ++m)
+      for (int i = 0; i <= j; ++i)
+        followed[static_cast<std::size_t>(i)] += all(i, node_dofs + m) * solved[static_cast<std::size_t>(m)];
+    for (int i = 0; i <= j; ++i)
+      k(i, j) = k(j, i) = all(i, j) - followed[static_cast<std::size_t>(i)];
+  }
+}
+
 } // namespace rubato::element

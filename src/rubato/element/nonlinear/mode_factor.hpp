@@ -36,6 +36,19 @@ double dot(const ModeValues& x, const ModeValues& y, int size);
 /// max |x_i|; NaN if one of them is.
 double largest(const ModeValues& values, int size);
 
+/// K = K_uu − K_uα K_αα⁻¹ K_αu of the nodes' dofs, which come first in `all`; `size` unknowns α follow.
+void condense_modes(const MatrixView& all, int node_dofs, int size, const MatrixView& k);
+
+/// Newton's method for the modes: respond() first, then improve() until is_solved().
+template <class Respond, class IsSolved, class Improve>
+CellResult solve_modes(int most_iterations, const Respond& respond, const IsSolved& is_solved,
+                       const Improve& improve) {
+  CellResult result = respond();
+  for (int i = 0; i < most_iterations && result && !is_solved(); ++i)
+    result = improve();
+  return result && !is_solved() ? CellResult{Failure::mode_iteration} : result;
+}
+
 /// A step of Newton's method for the modes. The step is halved while a law fails or the forces on modes,
 /// measured by the inverse of `factor`, grow. `is_stalled` becomes true when no part of the step is better.
 template <class Residual, class Respond, class IsSolved>

@@ -23,8 +23,8 @@ constexpr double same_way = 0.99;
 constexpr double fitting = 3e-3;
 /// How far an iteration may move the surfaces of bodies that only contact holds, in edges.
 constexpr double reach_in_edges = 0.5;
-/// Turns of forces across and along the surfaces in the same frames, at most, and the move of the surfaces,
-/// in edges, at which these forces count as settled.
+/// The most turns of normal and friction forces in the same frames, and the move of the surfaces, in edges,
+/// at which these forces are settled.
 constexpr int most_turns = 50;
 constexpr double settled_move = 1e-3;
 
@@ -73,7 +73,8 @@ public:
   }
 
 private:
-  /// Forces in the frames that there are, and where they push the surfaces; false when the progress stopped.
+  /// Improves the forces in the present frames and moves the surfaces by them; false when the progress
+  /// stopped.
   bool improve(int round) {
     predictor_.improve(points_, surface_.free, free_bodies_ ? surface_.free : surface_.moved, matrix_,
                        site_.progress);
@@ -85,15 +86,15 @@ private:
     return true;
   }
 
-  /// Forces across and along the surfaces are improved in turn. In a long step what is left of their error
-  /// takes a body as far as that part of its way without contact, where frames tell nothing.
+  /// Normal and friction forces are improved in turn. In a long step an error of theirs moves a body by the
+  /// same part of its way without contact, to where frames do not hold.
   bool settle() {
+    const double settled = settled_move * finest_edge(site_.model);
     for (int turn = 0; turn < most_turns; ++turn) {
       const VectorXd before = surface_.moved;
       if (!improve(0))
         return false;
-      if (site_.model.sharing().of_first((surface_.moved - before).lpNorm<Eigen::Infinity>() <=
-                                         settled_move * finest_edge(site_.model)))
+      if (site_.model.sharing().of_first((surface_.moved - before).lpNorm<Eigen::Infinity>() <= settled))
         return true;
     }
     return true;
