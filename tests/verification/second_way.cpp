@@ -118,7 +118,10 @@ bool Comparison::large() const {
 }
 
 bool Comparison::explained() const {
-  return fine >= 0 && (fine <= large_difference || fine <= shrinks_to * coarse.size);
+  const auto shrinks = [&](double size, double most) {
+    return size >= 0 && size <= std::max(large_difference, most);
+  };
+  return shrinks(fine, shrinks_to * coarse.size) || shrinks(finest, shrinks_to * shrinks_to * coarse.size);
 }
 
 namespace {
@@ -152,16 +155,15 @@ public:
     return place->second;
   }
 
-  /// The difference of a way at a level from another way, and that of both a level further.
+  /// The difference of a way at a level from another way, and where that is large those of both at finer
+  /// levels.
   Comparison compare(const std::string& name, const Way& base, const Way& way, int level) {
     auto comparison = compared(name, at(base, 1), at(way, level));
     if (!comparison.failure.empty() || !comparison.large())
       return comparison;
-    const auto& fine = at(base, 2);
-    const auto& finer = at(way, level + 1);
-    comparison.failure = fine.finished() ? finer.failure : fine.failure;
-    if (comparison.failure.empty())
-      comparison.fine = largest_difference(fine, finer).size;
+    comparison.fine = difference(base, 2, way, level + 1, comparison.failure);
+    if (comparison.failure.empty() && !comparison.explained())
+      comparison.finest = difference(base, 4, way, level + 3, comparison.failure);
     return comparison;
   }
 
@@ -174,6 +176,14 @@ public:
   }
 
 private:
+  /// −1 where one of the runs does not come to its end.
+  double difference(const Way& base, int base_level, const Way& way, int level, std::string& failure) {
+    const auto& a = at(base, base_level);
+    const auto& b = at(way, level);
+    failure = a.finished() ? b.failure : a.failure;
+    return failure.empty() ? largest_difference(a, b).size : -1;
+  }
+
   const WayStudy& study_;
   std::map<std::pair<std::string, int>, WayResult> done_;
 };

@@ -113,6 +113,7 @@ struct Comparison {
   std::string failure;       ///< of one of the runs, or empty
   WayDifference coarse;      ///< from the way of the deck
   double fine = -1;          ///< the same at level 2; −1: was not asked for
+  double finest = -1;        ///< the same at level 4, where level 2 does not explain it
   double friction_given = 0; ///< the larger one of the two runs
   bool warned = false;       ///< one of the two runs has a warning
   std::vector<std::string> warnings;

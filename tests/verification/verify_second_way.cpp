@@ -101,20 +101,25 @@ std::string shortened(const std::string& warning) {
   return text;
 }
 
+std::string size_or_nothing(double size) {
+  return size < 0 ? "" : fmt::format("{:.3f}", size);
+}
+
 void write_remaining(Page& page, const std::vector<WayEntry>& entries) {
   page.paragraph(
       "## Differences above 2 % that refinement does not explain\n\nThe quantity is the one that differs "
       "most at level 1, with the quarter of the run in brackets. The cause is a kind that was found in "
       "the study it names ([notes](notes.md#what-the-comparison-sweep-found)); rows were not looked at "
       "one by one.");
-  page.table({"study", "family", "drawn", "way", "quantity", "level 1", "level 2", "warning", "cause"});
+  page.table(
+      {"study", "family", "drawn", "way", "quantity", "level 1", "level 2", "level 4", "warning", "cause"});
   for (const auto& entry : entries)
     for (const auto& comparison : entry.comparison.ways)
       if (remains(comparison)) {
         const auto cause = cause_of(entry.study, comparison);
         page.row({std::to_string(entry.study.number), entry.study.family, entry.study.words, comparison.way,
                   comparison.coarse.quantity, fmt::format("{:.3f}", comparison.coarse.size),
-                  comparison.fine < 0 ? "" : fmt::format("{:.3f}", comparison.fine),
+                  size_or_nothing(comparison.fine), size_or_nothing(comparison.finest),
                   comparison.warned ? shortened(comparison.warnings.front()) : "none",
                   cause.empty() ? "not investigated" : cause});
       }
@@ -188,7 +193,8 @@ void write_way_entries(Page& page, const std::vector<WayEntry>& entries) {
       "counts as "
       "explained by refinement when, between the same two ways with edges and steps halved (level 2), it is "
       "at most "
-      "2 % or 0.7 of what it was. `refined` compares levels 1 and 2, then levels 2 and 3. Warnings are those "
+      "2 % or 0.7 of what it was, or else with edges and steps divided by four (level 4) at most 2 % or 0.49 "
+      "of it. `refined` compares levels 1 and 2, then 2 and 3, then 4 and 5. Warnings are those "
       "of the "
       "two runs at level 1; the one on QUAD4 that are too stiff in bending is left out. Decks are left in "
       "`verification/second_way` of the build folder.");

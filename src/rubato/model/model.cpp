@@ -17,6 +17,7 @@
 #include "rubato/mesh/rounding.hpp"
 #include "rubato/model/build.hpp"
 #include "rubato/model/build_model.hpp"
+#include "rubato/model/coarse_slaves.hpp"
 #include "rubato/model/formulation_notes.hpp"
 #include "rubato/model/gauges.hpp"
 #include "rubato/model/large_contact.hpp"
@@ -173,6 +174,7 @@ Model lay_out(const study::Study& asked, mesh::Mesh mesh, std::vector<PreloadedC
   if (const auto note = note_on_shared_nodes(model))
     model.notes.push_back(*note);
   std::ranges::move(notes_on_rigid_slaves(model), std::back_inserter(model.notes));
+  std::ranges::move(notes_on_coarse_slaves(model), std::back_inserter(model.notes));
   auto cells = examine_formulations(model);
   std::ranges::move(cells.notes, std::back_inserter(model.notes));
   model.locking_materials = cells.locking;

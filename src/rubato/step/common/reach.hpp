@@ -3,9 +3,13 @@
 /// measured before the move still tell about.
 #pragma once
 
+#include "rubato/model/fwd.hpp"
+
 #include <Eigen/Core>
 
 namespace rubato::step {
+
+struct EffectiveSystem;
 
 class Reach {
 public:
@@ -23,5 +27,12 @@ private:
   double allowed_;
   Eigen::VectorXd last_;
 };
+
+/// The shortest edge of any contact zone [length]; infinite without zones.
+double finest_edge(const model::Model& model);
+
+/// Largest moves of the surfaces of bodies that only contact holds, by half an edge of the finest zone;
+/// infinite where there are none.
+Reach reach_of(const model::Model& model, const EffectiveSystem& system);
 
 } // namespace rubato::step

@@ -24,6 +24,8 @@ WholeSystem::WholeSystem(const Model& model, const time::Scheme& scheme, Effecti
                          const State& committed, double t, ContactEvaluator& side, Progress&)
     : model_(model), scheme_(scheme), system_(system), side_(side),
       equilibrium_(model, scheme, system, committed, t), path_(ArcLength::of(model, committed, system.step)),
+      reach_(reach_of(model, system)),
+      on_surfaces_(system.has_free_bodies ? surface_unknowns(model) : std::vector<int>()),
       contact_(committed.motion.u.size(), model.multiplier_count), force_(committed.motion.u.size()) {
   if (model.domain.is_linear())
     return;
@@ -53,6 +55,7 @@ std::optional<Outcome> WholeSystem::start(State&, const Frozen&) {
     bulk_->start();
   start_ = bulk_ && !started_;
   started_ = true;
+  reach_.start();
   return std::nullopt;
 }
 
@@ -312,6 +315,11 @@ void WholeSystem::forget_moves() {
   left_.reset();
 }
 
+/// Frames that were measured before a move tell nothing of surfaces far from there.
+double WholeSystem::part_in_reach(const VectorXd& displacement) {
+  return on_surfaces_.empty() ? 1 : reach_.part_of(displacement(on_surfaces_));
+}
+
 std::optional<Outcome> WholeSystem::correct(State& trial, const Frozen& frozen, double part) {
   if (bulk_)
     if (const auto outcome = go_on_from(trial, frozen))
@@ -322,6 +330,7 @@ std::optional<Outcome> WholeSystem::correct(State& trial, const Frozen& frozen, 
     return Outcome::singular_matrix;
   if (!found || !found->displacement.allFinite() || !found->multipliers.allFinite())
     return Outcome::singular_matrix;
+  part *= part_in_reach(part * found->displacement);
   const VectorXd d = model_.reduction.scatter(part * found->displacement);
   if (bulk_)
     before_ = {trial.motion, trial.zones, trial.load_factor};

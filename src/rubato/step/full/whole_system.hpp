@@ -11,6 +11,7 @@
 #include "rubato/step/common/bulk_newton.hpp"
 #include "rubato/step/common/contact_evaluator.hpp"
 #include "rubato/step/common/equilibrium.hpp"
+#include "rubato/step/common/reach.hpp"
 #include "rubato/step/full/arc_length.hpp"
 #include "rubato/step/full/linear_step.hpp"
 #include "rubato/step/full/symmetric_system.hpp"
@@ -47,6 +48,7 @@ private:
   std::optional<Outcome> go_on_from(State& trial, const Frozen& frozen);
   void evaluate_contact(const State& trial, const Frozen& frozen, int iteration);
   void add_zone(std::size_t zone, const Frozen& frozen);
+  double part_in_reach(const Eigen::VectorXd& displacement);
   std::optional<LinearSolution> solution(const time::Motion& motion);
   bool is_factored() const;
   ContactForce force_at(const State& trial, const Frozen& frozen);
@@ -76,6 +78,8 @@ private:
     double load_factor = 1;
   } before_;
   std::optional<ArcLength> path_; ///< of equilibrium, where the study follows one
+  Reach reach_;
+  std::vector<int> on_surfaces_; ///< unknowns of bodies that only contact holds, none without such bodies
   contact::ContactSystem contact_;
   ContactForce force_;
   SymmetricSystem symmetric_; ///< of bodies that nothing touches, without a factor

@@ -21,8 +21,6 @@ constexpr double at_rest = 1e-5;
 constexpr double same_way = 0.99;
 /// Misfit of forces and frames, in parts of the largest force, that Newton takes over.
 constexpr double fitting = 3e-3;
-/// How far an iteration may move the surfaces of bodies that only contact holds, in edges.
-constexpr double reach_in_edges = 0.5;
 /// The most turns of normal and friction forces in the same frames, and the move of the surfaces, in edges,
 /// at which these forces are settled.
 constexpr int most_turns = 50;
@@ -34,13 +32,6 @@ double nearest_gap(std::span<const PredictorPoint> points) {
   for (const auto& point : points)
     nearest = std::min(nearest, std::max(0.0, point.gap));
   return points.empty() ? 0 : nearest;
-}
-
-double finest_edge(const model::Model& model) {
-  double edge = std::numeric_limits<double>::infinity();
-  for (const auto& zone : model.zones)
-    edge = std::min(edge, zone.edge());
-  return edge;
 }
 
 class Prediction {
@@ -204,11 +195,6 @@ private:
 PredictorScratch::PredictorScratch(Compliance& compliance, double force_weight, int components,
                                    NormalSolution how_far)
     : predictor(compliance, force_weight, components, how_far) {}
-
-Reach reach_of(const model::Model& model, const EffectiveSystem& system) {
-  return Reach(system.has_free_bodies ? reach_in_edges * finest_edge(model)
-                                      : std::numeric_limits<double>::infinity());
-}
 
 void predict_contact(const PredictorSite& site, SurfaceMotion& surface, Reach& reach,
                      PredictorScratch& scratch, ContactIterate& now, State& trial) {

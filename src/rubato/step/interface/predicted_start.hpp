@@ -22,10 +22,6 @@ struct PredictorScratch {
   PredictorScratch(Compliance& compliance, double force_weight, int components, NormalSolution how_far);
 };
 
-/// Largest moves of the surfaces of bodies that only contact holds, by half an edge of the finest zone;
-/// infinite where there are none.
-Reach reach_of(const model::Model& model, const EffectiveSystem& system);
-
 /// What a prediction works on.
 struct PredictorSite {
   const model::Model& model;
