@@ -118,10 +118,10 @@ bool Comparison::large() const {
 }
 
 bool Comparison::explained() const {
-  const auto shrinks = [&](double size, double most) {
-    return size >= 0 && size <= std::max(large_difference, most);
+  const auto shrinks = [](double size, double before) {
+    return size >= 0 && size <= std::max(large_difference, shrinks_to * before);
   };
-  return shrinks(fine, shrinks_to * coarse.size) || shrinks(finest, shrinks_to * shrinks_to * coarse.size);
+  return shrinks(fine, coarse.size) || shrinks(finest, std::min(coarse.size, fine));
 }
 
 namespace {

@@ -39,7 +39,11 @@ TEST(DifferenceOfWays, IsExplainedWhereRefinementHalvesIt) {
   EXPECT_TRUE(comparison.explained());
   comparison.fine = 0.09;
   EXPECT_FALSE(comparison.explained());
-  comparison.fine = -1;
+  comparison.finest = 0.065;
+  EXPECT_FALSE(comparison.explained()) << "0.72 of the former";
+  comparison.finest = 0.06;
+  EXPECT_TRUE(comparison.explained());
+  comparison.fine = comparison.finest = -1;
   EXPECT_FALSE(comparison.explained());
 }
 

@@ -26,6 +26,9 @@ constexpr double few_in_hourglasses = 1e-3;
 /// Of the largest energy: what rounding and convergence leave.
 constexpr double unexplained_energy = 1e-6;
 
+/// Of the largest energy: what friction may give back to bodies, which it only takes from.
+constexpr double given_by_friction = 1e-2;
+
 /// What the bodies have from nowhere: all in all, or from contact or finite strain alone where the scheme
 /// takes that again.
 double gained(const step::EnergyLedger& ledger) {
@@ -77,6 +80,7 @@ void EnergyWatch::note(double t, const step::EnergyLedger& ledger, const std::st
   now_ = ledger;
   giver_ = giver;
   note_hourglasses(t);
+  note_friction(t);
   if (gained(ledger) <= std::max(worth_a_warning * record_.largest, ledger.rounding)) {
     gained_for_ = 0;
     if (!warned_ && gained(ledger) > ledger.rounding)
@@ -103,6 +107,15 @@ void EnergyWatch::note_hourglasses(double t) {
                   "have stored and dissipated, expected at most {:g}; a finer mesh, or "
                   "'formulation: mean_dilatation', 'enhanced' or 'full', cures it",
                   run_, now_.hourglass, t, part, most_in_hourglasses));
+}
+
+/// The ledger's balance does not show it: what friction gives is counted against what the bodies have.
+void EnergyWatch::note_friction(double t) {
+  friction_.taken = std::max(friction_.taken, now_.friction);
+  if (const double given = friction_.taken - now_.friction; given > friction_.given) {
+    friction_.given = given;
+    friction_.t = t;
+  }
 }
 
 void EnergyWatch::warn(const std::string& when) {
@@ -138,6 +151,10 @@ std::vector<results::Plausibility> EnergyWatch::checks() const {
       {"energy_balance", record_.largest_balance / record_.largest, unexplained_energy, 0, "",
        "the ledger leaves this part of the largest energy unexplained; expected a smaller "
        "'newton.residual'"}};
+  if (friction_.taken > 0 || friction_.given > 0)
+    checks.push_back({"friction_gain", friction_.given / record_.largest, given_by_friction, friction_.t, "",
+                      "friction gave back this part of the largest energy, though it only takes: its forces "
+                      "turned within steps; expected a shorter 'time.step', or 'scheme: moreau_jean'"});
   if (now_.hourglass > 0)
     checks.push_back({"hourglass_energy", hourglass_part_, most_in_hourglasses, 0, "", "",
                       hourglass_part_ > most_in_hourglasses});

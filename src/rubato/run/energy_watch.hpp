@@ -25,12 +25,13 @@ public:
   /// At the end of the run.
   void tell();
   const step::EnergyRecord& record() const { return record_; }
-  /// The gain, the balance of the ledger, hourglasses.
+  /// The gain, the balance of the ledger, energy that friction gave, hourglasses.
   std::vector<results::Plausibility> checks() const;
 
 private:
   void warn(const std::string& when);
   void note_hourglasses(double t);
+  void note_friction(double t);
 
   const std::string& run_;
   const Watch& watch_;
@@ -42,6 +43,11 @@ private:
   bool warned_ = false;
   double most_internal_ = 0; ///< that bodies have stored and dissipated
   double gain_part_ = 0; ///< of the largest energy: gained where it was warned of, else the most below that
+  /// What friction had taken at its most, and the most that it gave back from there.
+  struct Friction {
+    double taken = 0, given = 0; ///< [energy]
+    double t = 0;                ///< when it had given most
+  } friction_;
   double hourglass_part_ = 0; ///< the most that hourglasses held of what the bodies stored and dissipated
 };
 

@@ -224,7 +224,7 @@ private:
     if (!course_.from && feeds_on_contact(model_, time::make_scheme(settings)))
       watch_.warn(
           fmt::format("{}: {} without damping gains energy where exact contact opens and closes; expected "
-                      "moreau_jean (no gain) or hht with alpha: -0.1 (hardly any)",
+                      "moreau_jean (no gain), or where nothing hits hht with alpha: -0.1 (little)",
                       name(), scheme));
   }
 
