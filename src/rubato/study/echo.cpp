@@ -230,6 +230,9 @@ Json echo(const Connector& connector, int dimension) {
     if (law)
       map[key] = {{places, law->at}, {"forces", law->values}, {"outside", word(outside_words, law->outside)}};
   };
+  map["rotates"] = connector.rotates;
+  if (connector.anchor)
+    map["anchor"] = std::vector(connector.anchor->begin(), connector.anchor->begin() + dimension);
   map["stiffness"] = connector.stiffness;
   map["damping"] = connector.damping;
   put_law("force", "elongations", connector.force);

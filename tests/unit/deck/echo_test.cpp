@@ -130,7 +130,9 @@ relations:
   mean: {distributed: {on: d, at: )" +
             std::string(flat ? "[1, 2]" : "[1, 2, 3]") + R"(}}
 connectors: [{on: hub, to: N1, stiffness: 2}, {on: a, along: )" +
-            std::string(flat ? "[1, 2]" : "[1, 2, 3]") + R"(, damping: 3, to: N3}]
+            std::string(flat ? "[1, 2]" : "[1, 2, 3]") + R"(, damping: 3, to: N3},
+  {on: hub, to: N2, rotates: true, stiffness: 2}, {on: a, rotates: true, damping: 2, anchor: )" +
+            std::string(flat ? "[1, 2]" : "[1, 2, 3]") + R"(}]
 masses: [{on: N1, mass: 2}]
 loads: [{moment: {on: hub, z: 3, function: ramp}}]
 physics: )" +
