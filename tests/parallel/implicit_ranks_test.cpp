@@ -119,7 +119,8 @@ INSTANTIATE_TEST_SUITE_P(
              "connectors: [{on: tip, along: [0, 1], stiffness: 1e9, damping: 1e5}]\n"},
         Case{"HeldByRotatingConnectors",
              {},
-             "connectors: [{on: tip, anchor: [0.1, 3], rotates: true, stiffness: 1e9, damping: 1e5}, {on: tip, "
+             "connectors: [{on: tip, anchor: [0.1, 3], rotates: true, stiffness: 1e9, damping: 1e5}, {on: "
+             "tip, "
              "anchor: [4, 1], rotates: true, force: {elongations: [-1, 1], forces: [-1e9, 2e9]}}]\n"},
         Case{"Shaken", {}, "base_motion: {y: {acceleration: 1e4}, frame: relative}\n"},
         Case{"WithoutMassOnContact",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Connectors with rotates: true: pendulums against equations of motion that are integrated apart, trusses and
-/// ropes against closed forms, turned problems, restarts, refusals.
+/// Connectors with rotates: true: pendulums against equations of motion that are integrated apart, trusses
+/// and ropes against closed forms, turned problems, restarts, refusals.
 #include "rubato/element/failure.hpp"
 #include "rubato/modes/modal_study.hpp"
 #include "rubato/modes/modes.hpp"
@@ -112,10 +112,13 @@ struct Hung {
 
 const std::vector<Hung> hung{
     {"stiffness: 2000", [](double e) { return 2000 * e; }, {}},
-    {"stiffness: 2000, damping: 40", [](double e) { return 2000 * e; }, [](double rate) { return 40 * rate; }},
+    {"stiffness: 2000, damping: 40", [](double e) { return 2000 * e; },
+     [](double rate) { return 40 * rate; }},
     {"force: {elongations: [-1, 0, 0.1, 1], forces: [-2000, 50, 150, 3750]}, damper: {rates: [-2, -0.2, 0.2, "
      "2], forces: [-40, -20, 20, 40]}",
-     [](double e) { return e < 0 ? 50 + 2050 * e : e < 0.1 ? 50 + 1000 * e : 150 + 4000 * (e - 0.1); },
+     [](double e) { return e < 0     ? 50 + 2050 * e
+                           : e < 0.1 ? 50 + 1000 * e
+                                     : 150 + 4000 * (e - 0.1); },
      [](double rate) {
        const double size = std::abs(rate);
        return std::copysign(size < 0.2 ? 100 * size : 20 + (size - 0.2) * 20 / 1.8, rate);
@@ -174,7 +177,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Course{"GeneralizedAlpha", "{scheme: generalized_alpha, step: 1e-3, end: 1}", 2e-4},
                     Course{"MoreauJean", "{scheme: moreau_jean, step: 1e-3, end: 1}", 2e-4},
                     Course{"EnergyMomentum", "{scheme: energy_momentum, step: 1e-3, end: 1}", 2e-4},
-                    Course{"CentralDifference", "{scheme: central_difference, record: 1e-2, end: 1}", 2e-3}),
+                    Course{"CentralDifference", "{scheme: central_difference, record: 1e-3, end: 1}", 1e-3}),
     [](const auto& info) { return info.param.name; });
 
 /// At the bottom a stiff bar that fell from the horizontal carries three times the weight.
@@ -197,8 +200,9 @@ TEST(RotatingConnectors, CarryThreeTimesTheWeightAtTheBottom) {
 /// With steps of a twentieth of the radial period.
 TEST(RotatingConnectors, KeepEnergyAndAngularMomentumOverLongSteps) {
   const std::string thrown = "initial: [{on: all, velocity: {x: 1, y: 3}}]\n";
-  for (const auto& law : {hung[0].connector, std::string("force: {elongations: [-1, 0, 0.1, 1], forces: [-2000, "
-                                                         "50, 150, 3750]}")}) {
+  for (const auto& law :
+       {hung[0].connector, std::string("force: {elongations: [-1, 0, 0.1, 1], forces: [-2000, "
+                                       "50, 150, 3750]}")}) {
     test::Walk walk(bob(law, "{scheme: energy_momentum, step: 0.02, end: 10}", thrown));
     ASSERT_TRUE(walk.to_end());
     const auto energy = walk.simulation.energy();
@@ -210,24 +214,26 @@ TEST(RotatingConnectors, KeepEnergyAndAngularMomentumOverLongSteps) {
   }
 }
 
-/// Explicit and implicit runs of a block that also deforms and turns, hung to another one.
+/// Runs of a block that deforms, hung to another one by its middle: mass that is lumped at nodes turns less
+/// easily.
 TEST(RotatingConnectors, SwingAlikeInExplicitAndImplicitRuns) {
   const auto deck = [](const std::string& time) {
     return R"(mesh:
   generate:
-    - {name: bob, rectangle: {from: [0.9, -0.1], to: [1.1, 0.1]}, divisions: [2, 2], cells: quad4, points: {left_bottom: corner}}
+    - {name: bob, rectangle: {from: [0.9, -0.1], to: [1.1, 0.1]}, divisions: [2, 2], cells: quad4}
     - {name: post, rectangle: {from: [-0.1, -0.1], to: [0.1, 0.1]}, divisions: [2, 2], cells: quad4, sides: {left: held}}
 physics: plane_stress
 materials: {any: {young: 1e6, poisson: 0.3, density: 1000, strain: green_lagrange}}
-relations: {hub: {embedded: {at: [0.03, 0.02], in: post}}}
-connectors: [{on: hub, to: corner, rotates: true, stiffness: 5e3, damping: 20}]
+relations: {hub: {embedded: {at: [0.03, 0.02], in: post}}, eye: {embedded: {at: [1, 0], in: bob}}}
+connectors: [{on: hub, to: eye, rotates: true, stiffness: 5e3, damping: 20}]
 supports: [{on: held, fix: [x, y]}]
 loads: [{gravity: {y: -9.81, on: bob}}]
 newton: {residual: 1e-10}
-time: )" + time + "\n";
+time: )" + time +
+           "\n";
   };
   Simulation implicit(test::study_of(deck("{scheme: newmark, step: 5e-4, end: 0.8}")));
-  Simulation explicitly(test::study_of(deck("{scheme: central_difference, record: 0.1, end: 0.8}")));
+  Simulation explicitly(test::study_of(deck("{scheme: central_difference, record: 5e-4, end: 0.8}")));
   for (auto* run : {&implicit, &explicitly}) {
     while (!run->finished())
       ASSERT_TRUE(run->advance().accepted());
@@ -237,8 +243,7 @@ time: )" + time + "\n";
   }
   const auto& u = implicit.state().motion.u;
   EXPECT_GT(u.lpNorm<Eigen::Infinity>(), 1);
-  EXPECT_LE((explicitly.state().motion.u - u).lpNorm<Eigen::Infinity>(),
-            2e-3 * u.lpNorm<Eigen::Infinity>());
+  EXPECT_LE((explicitly.state().motion.u - u).lpNorm<Eigen::Infinity>(), 2e-3 * u.lpNorm<Eigen::Infinity>());
 }
 
 std::string list_of(const Vector3d& x) {
@@ -258,8 +263,8 @@ Vector3d rest_of(const std::vector<Pull>& pulls, const Vector3d& load, double an
   };
   std::string connectors;
   for (const auto& [anchor, law] : pulls)
-    connectors += fmt::format("  - {{on: eye, anchor: {}, rotates: true, {}}}\n",
-                              list_of(turned(anchor, angle)), law);
+    connectors +=
+        fmt::format("  - {{on: eye, anchor: {}, rotates: true, {}}}\n", list_of(turned(anchor, angle)), law);
   const auto force = turned(load, angle);
   test::Walk walk(fmt::format(
       R"(mesh: {{generate: [{{name: bob, rectangle: {{from: [-0.05, -0.05], to: [0.05, 0.05]}}, divisions: [1, 1], cells: quad4, points: {{left_bottom: corner}}}}]}}
@@ -291,7 +296,7 @@ double root_of(const std::function<double(double)>& f, double low, double high) 
 
 /// Bars from (±1, -0.3) up to the origin, pressed down, short of the limit load.
 TEST(RotatingConnectors, CarryATrussAsTheClosedFormSays) {
-  constexpr double stiffness = 1000, height = 0.3, load = 10;
+  constexpr double stiffness = 1000, height = 0.3, load = 8;
   const auto resisting = [&](double y) {
     const double l = std::hypot(1, height + y);
     return 2 * stiffness * (l - std::hypot(1, height)) * (height + y) / l + load;
@@ -360,7 +365,7 @@ TEST(RotatingConnectors, HaveTheForceOfTheirElongationWhereSupportsTurnThem) {
     - {name: wheel, rectangle: {from: [0.9, -0.1], to: [1.1, 0.1]}, divisions: [1, 1], cells: quad4}
     - {name: rest, rectangle: {from: [5, 0], to: [6, 1]}, divisions: [1, 1], cells: quad4, sides: {left: held}}
 physics: plane_stress
-materials: {any: {young: 1e5, poisson: 0.3, cells: all}}
+materials: {any: {young: 1e5, poisson: 0.3, strain: green_lagrange}}
 relations: {eye: {embedded: {at: [1, 0], in: wheel}}}
 connectors: [{on: eye, anchor: [0, 0], rotates: true, force: {elongations: [-1, 1], forces: [-300, 500]}}]
 supports: [{on: wheel, rotate: {about: [0.2, 0.1], angle: 1.5707963267948966*t}}, {on: held, fix: [x, y]}]
@@ -451,7 +456,8 @@ time: {{scheme: static, step: 1, end: 1}}
   expect("on: a, to: b, anchor: [3, 4], rotates: true", "found 'to' and 'anchor', expected one of the two");
   expect("on: a, to: b, anchor: [3, 4]", "only connectors with rotates: true have an anchor");
   expect("on: a, to: eye, rotates: true", "'a' and 'eye' are at the same place, expected two places");
-  expect("on: left, anchor: [0, 1], rotates: true", "'left' is at the anchor, expected an anchor at another place");
+  expect("on: left, anchor: [0, 1], rotates: true",
+         "'left' is at the anchor, expected an anchor at another place");
   expect("on: a, to: b, rotates: 3", "rotates");
 }
 

@@ -383,8 +383,12 @@ domain::Failed ExplicitMotion::step(double end) {
   const double follower_power = has_followers() ? follower_force_.dot(v_) : 0;
   if (const auto springs = model_->domain.law_springs(); !springs.empty())
     energy_.numerical += domain::missed_between(springs, u_ - h_ * v_, u_);
-  if (const auto lines = model_->domain.line_springs(); !lines.empty())
-    energy_.bulk_scheme += domain::missed_along_lines(lines, u_ - h_ * v_, u_);
+  if (const auto lines = model_->domain.line_springs(); !lines.empty()) {
+    const VectorXd before = u_ - h_ * v_;
+    if (const auto failed = domain::find_without_length(lines, {before, u_}))
+      return failed;
+    energy_.bulk_scheme += domain::missed_along_lines(lines, before, u_);
+  }
   enter_heat(begin, end);
   enter_contact(begin, end);
   if (const auto failed = find_forces())
