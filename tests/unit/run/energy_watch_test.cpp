@@ -156,11 +156,11 @@ TEST_F(EnergyOfARun, IsWarnedOfWhenFiniteStrainGivesWhatTheSchemeTakes) {
     note(0, 60, -50);
   energy_.tell();
   ASSERT_EQ(warnings_.size(), 1u);
-  EXPECT_EQ(
-      warnings_[0],
-      "evol: energy gained from t = 1 to 11: 50, 0.05 of the largest energy; steps too long for finite "
-      "strain gave 50 (bulk_scheme), the time scheme took 60; expected a time.scheme that damps, such as "
-      "hht, energy_momentum for elastic bodies, or a shorter time.step");
+  EXPECT_EQ(warnings_[0],
+            "evol: energy gained from t = 1 to 11: 50, 0.05 of the largest energy; steps too long for finite "
+            "strain or rotation gave 50 (bulk_scheme), the time scheme took 60; expected a time.scheme that "
+            "damps, such as "
+            "hht, energy_momentum for elastic bodies, or a shorter time.step");
   EXPECT_EQ(said_[0], "evol: energy balance within 0 of the largest energy, 1000");
 }
 
