@@ -12,10 +12,10 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Of the undeformed length: below it a line has no direction.
+/// Part of the undeformed length below which a line has no direction.
 constexpr double shortest_line = 1e-6;
-/// Of the undeformed length: elongations that differ by less count as equal in derivatives of means, which
-/// divide by the difference.
+/// Part of the undeformed length. Elongations that differ by less count as equal in derivatives of means,
+/// which divide by the difference.
 constexpr double equal_elongations = 1e-7;
 
 /// The vector between the ends with displacements u.

@@ -75,7 +75,7 @@ void add_line_damping_tangents(std::span<const LineSpring> springs, const Eigen:
 /// table, as far as the law goes on linearly.
 void add_bound_of_stiffness(std::span<const LineSpring> springs, const Eigen::VectorXd& x,
                             Eigen::VectorXd& y);
-/// The same of damping by velocities.
+/// y += B x, with B at least the damping of each dashpot in every direction.
 void add_bound_of_damping(std::span<const LineSpring> springs, const Eigen::VectorXd& x, Eigen::VectorXd& y);
 
 } // namespace rubato::domain

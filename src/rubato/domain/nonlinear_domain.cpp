@@ -65,7 +65,7 @@ Failed NonlinearDomain::evaluate(const StepSpan& step, const QuadratureStates& o
   return failed;
 }
 
-/// To what this rank adds to the forces of all.
+/// Adds forces and tangents of the lines. Called on one rank: sums over ranks then have them once.
 Failed NonlinearDomain::add_lines(const StepSpan& step, const Wanted& wanted) const {
   if (auto failed = find_without_length(lines_, step))
     return failed;

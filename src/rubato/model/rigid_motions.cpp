@@ -282,7 +282,7 @@ Eigen::VectorXd RigidMotions::row_of_dof(int dof) const {
   return row(model_.dofs.nodes[static_cast<std::size_t>(dof / model_.dofs.components)], direction);
 }
 
-/// One that rotates resists motions across it, too, where it has a force undeformed.
+/// A connector that rotates also resists motions across it if it has a force in the undeformed model.
 void RigidMotions::add_connector(const Connector& connector) {
   add_terms(connector.row);
   if (connector.line && connector.line->spring.at(0) != 0)

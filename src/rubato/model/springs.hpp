@@ -44,7 +44,7 @@ struct Connector {
   std::optional<LinearTable> force = {};
   std::optional<LinearTable> damper = {};
   std::optional<ConnectorWay> way = {}; ///< whose undeformed direction `row` has
-  /// Of one that acts along the current way: then the other numbers and tables are 0 and none.
+  /// Laws of a connector that acts along the current way; its other numbers are 0, its other tables empty.
   std::optional<LineLaws> line = {};
 
   /// Whether displacements along the undeformed direction have forces.

@@ -101,8 +101,8 @@ Tangent BulkTangent::at(const VectorXd& u, VectorXd* forces, domain::TangentOf o
   return values_of(matrix_);
 }
 
-/// Of dashpots that rotate, whose direction the damping matrix does not have. Divided by the factor that the
-/// effective matrix multiplies tangents with.
+/// Adds the tangent of dashpots that rotate, which the constant damping matrix lacks. It is divided by the
+/// factor of tangents in the effective matrix.
 void BulkTangent::add_dashpots(const VectorXd& u) {
   const auto lines = model_.domain.line_springs();
   if (!scheme_.dynamic || !model_.sharing().is_first() || !domain::has_dashpots(lines))
