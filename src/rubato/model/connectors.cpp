@@ -345,11 +345,9 @@ void add_lines(const Model& model, double factor, SparseMatrix& stiffness) {
         places.emplace_back(row, column, 0);
   SparseMatrix sum(model.dofs.dof_count, model.dofs.dof_count);
   sum.setFromTriplets(places.begin(), places.end());
-  if (factor != 0) {
-    const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model.dofs.dof_count);
-    domain::add_line_tangents(springs, {rest, rest}, domain::TangentOf::symmetric, sum);
-  }
-  linalg::add_scaled(1, sum, stiffness);
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model.dofs.dof_count);
+  domain::add_line_tangents(springs, {rest, rest}, domain::TangentOf::symmetric, sum);
+  linalg::add_scaled(factor, sum, stiffness);
 }
 
 std::vector<domain::LawSpring> law_dampers(const Model& model) {
