@@ -240,6 +240,8 @@ template <> struct Description<Connector> {
       Member{"on", &Connector::on, "a node or a reference; to the ground also a group"},
       Member{"to", &Connector::to, "a node or a reference; empty: the ground"},
       Member{"along", &Connector::along, "direction of any length > 0; None: from one place to the other"},
+      Member{"rotates", &Connector::rotates, "whether it acts along the current line between its ends"},
+      Member{"anchor", &Connector::anchor, "place of the end at the ground where it rotates [length]"},
       Member{"stiffness", &Connector::stiffness, "at least 0 [force/length]"},
       Member{"damping", &Connector::damping, "at least 0 [force time/length]"},
       Member{"force", &Connector::force,

@@ -117,6 +117,11 @@ INSTANTIATE_TEST_SUITE_P(
              {},
              "springs: [{on: roof, x: 1e8, y: 1e8}]\nmasses: [{on: tip, mass: 100}]\n"
              "connectors: [{on: tip, along: [0, 1], stiffness: 1e9, damping: 1e5}]\n"},
+        Case{"HeldByRotatingConnectors",
+             {},
+             "connectors: [{on: tip, anchor: [0.1, 3], rotates: true, stiffness: 1e9, damping: 1e5}, {on: "
+             "tip, "
+             "anchor: [4, 1], rotates: true, force: {elongations: [-1, 1], forces: [-1e9, 2e9]}}]\n"},
         Case{"Shaken", {}, "base_motion: {y: {acceleration: 1e4}, frame: relative}\n"},
         Case{"WithoutMassOnContact",
              {{hht, "{scheme: hht, alpha: -0.1, step: 1e-4, end: 4e-4, contact_mass: redistributed}"}}},

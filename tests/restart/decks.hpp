@@ -117,6 +117,24 @@ probes: {fall: {on: block, take: min, field: velocity}}
 fields: {formats: [vtu], every: 3, last: false}
 )";
 
+/// A block that swings onto a table, on a connector that rotates.
+inline const std::string swinging_block = R"(title: a block that swings onto a table
+mesh:
+  generate:
+    - {name: bob, rectangle: {from: [0.9, -0.1], to: [1.1, 0.1]}, divisions: [2, 2], cells: quad4, sides: {bottom: under}}
+    - {name: table, rectangle: {from: [-0.6, -1.4], to: [0.9, -1.05]}, divisions: [9, 2], cells: quad4, sides: {top: over, bottom: ground}}
+physics: plane_strain
+materials: {any: {young: 1e6, poisson: 0.3, density: 1000, strain: green_lagrange}}
+relations: {eye: {embedded: {at: [1, 0], in: bob}}}
+connectors: [{on: eye, anchor: [0, 0], rotates: true, force: {elongations: [-1, 0, 1], forces: [-5e3, 0, 1e4]}, damping: 50}]
+supports: [{on: ground, fix: [x, y]}]
+loads: [{gravity: {y: -9.81, on: bob}}]
+contact: {foot: {master: over, slave: under, method: penalty, integration: nodes, friction: 0.2}}
+time: {scheme: newmark, step: 5e-3, end: 0.6}
+probes: {eye: {on: eye}}
+fields: {formats: [vtu], every: 50, last: false}
+)";
+
 /// The same beams by central differences.
 inline const std::string explicit_beams = [] {
   auto deck = rubbing_beams.substr(0, rubbing_beams.find("time:"));

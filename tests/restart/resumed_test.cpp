@@ -136,6 +136,22 @@ TEST_F(ResumedRun, KeepsEnergyAcrossTheSeam) {
   }
 }
 
+TEST_F(ResumedRun, KeepsTheLinesOfConnectorsThatRotate) {
+  const std::string by_central_difference =
+      "time={scheme: central_difference, record: 5e-3, step: auto, end: 0.6}";
+  for (const auto& time : {std::string("time.step=5e-3"), by_central_difference}) {
+    ASSERT_EQ(run(test::swinging_block, "whole", {"--set", time}).exit_code, 0);
+    for (const auto* end : {"0.3", "0.505"}) {
+      ASSERT_EQ(run(test::swinging_block, "out", {"--set", time, "--set", std::string("time.end=") + end})
+                    .exit_code,
+                0);
+      const auto outcome = run(test::swinging_block, "out", {"--resume", "--set", time});
+      EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+      expect_same("whole", "out");
+    }
+  }
+}
+
 TEST_F(ResumedRun, KeepsTheShorteningOfALockedPreload) {
   const std::string deck = R"(mesh:
   generate: [{name: bolt, rectangle: {from: [0, 0], to: [1, 4]}, divisions: [2, 8], sides: {bottom: ground, top: head}}]

@@ -39,6 +39,9 @@ study::Connector read_connector(const Value& value, const Context& context) {
   read_name(map.find("to"), connector.to);
   if (std::array<double, 3> along{}; read_point(map.find("along"), context, along))
     connector.along = along;
+  read(map.find("rotates"), connector.rotates);
+  if (std::array<double, 3> anchor{}; read_point(map.find("anchor"), context, anchor))
+    connector.anchor = anchor;
   read(map.find("stiffness"), connector.stiffness, study::bounds::connector);
   read(map.find("damping"), connector.damping, study::bounds::connector);
   if (const auto law = map.find("force"))

@@ -49,6 +49,10 @@ std::span<const LawSpring> Domain::law_springs() const {
   return std::visit([](const auto& kind) { return kind.law_springs(); }, *kind_);
 }
 
+std::span<const LineSpring> Domain::line_springs() const {
+  return std::visit([](const auto& kind) { return kind.line_springs(); }, *kind_);
+}
+
 const Heat* Domain::heat() const {
   return std::visit([](const auto& kind) { return kind.heat(); }, *kind_);
 }

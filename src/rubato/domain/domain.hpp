@@ -16,6 +16,7 @@ namespace rubato::domain {
 struct Balance;
 class Heat;
 struct LawSpring;
+struct LineSpring;
 class LinearDomain;
 class NonlinearDomain;
 
@@ -62,6 +63,8 @@ public:
 
   /// Springs by tables.
   std::span<const LawSpring> law_springs() const;
+  /// Springs and dashpots along the current line between their ends.
+  std::span<const LineSpring> line_springs() const;
 
   /// Null where nothing has a temperature. Then internal forces change with time at the same displacements.
   const Heat* heat() const;

@@ -9,6 +9,7 @@
 #include "rubato/domain/evaluation.hpp"
 #include "rubato/domain/heat.hpp"
 #include "rubato/domain/law_springs.hpp"
+#include "rubato/domain/line_springs.hpp"
 #include "rubato/domain/quadrature_states.hpp"
 #include "rubato/linalg/block_matrix.hpp"
 
@@ -43,6 +44,7 @@ public:
   double hourglass_energy(const Eigen::VectorXd&) const { return 0; }
   const Heat* heat() const { return heat_.get(); }
   std::span<const LawSpring> law_springs() const { return springs_; }
+  static std::span<const LineSpring> line_springs() { return {}; }
   const SparseMatrix& initial_tangent() const { return *stiffness_; }
   /// What `evaluate` gives but for forces, which are what this rank adds to those of all.
   void evaluate_own(const StepSpan& step, const Wanted& wanted) const;

@@ -44,14 +44,18 @@ Failed agreed(const Failed& own, double& mode_force, const Ranks& ranks) {
 NonlinearDomain::NonlinearDomain(SparseMatrix&& constant, std::optional<SparseMatrix>&& initial,
                                  std::shared_ptr<const NonlinearCells> cells, int components,
                                  std::shared_ptr<const Heat> heat, std::vector<LawSpring> springs,
-                                 const Workers& workers)
+                                 const Workers& workers, std::vector<LineSpring> lines)
     : constant_(std::move(constant), components, std::move(heat), std::move(springs), workers),
-      initial_(shared(std::move(initial))), cells_(std::move(cells)), ranks_(workers.ranks) {}
+      initial_(shared(std::move(initial))), cells_(std::move(cells)), lines_(std::move(lines)),
+      ranks_(workers.ranks) {}
 
 Failed NonlinearDomain::evaluate(const StepSpan& step, const QuadratureStates& old, QuadratureStates& now,
                                  const Wanted& wanted) const {
   constant_.evaluate_own(step, wanted);
-  const auto failed = agreed(cells_->add(step, old, now, wanted, heat()), now.mode_force, ranks_);
+  auto own = cells_->add(step, old, now, wanted, heat());
+  if (!own && ranks_.is_first())
+    own = add_lines(step, wanted);
+  const auto failed = agreed(own, now.mode_force, ranks_);
   if (wanted.forces == nullptr)
     return failed;
   if (failed)
@@ -59,6 +63,17 @@ Failed NonlinearDomain::evaluate(const StepSpan& step, const QuadratureStates& o
   else
     *wanted.forces = linalg::summed(std::move(*wanted.forces), ranks_);
   return failed;
+}
+
+/// Adds forces and tangents of the lines. Called on one rank: sums over ranks then have them once.
+Failed NonlinearDomain::add_lines(const StepSpan& step, const Wanted& wanted) const {
+  if (auto failed = find_without_length(lines_, step))
+    return failed;
+  if (wanted.forces != nullptr)
+    add_line_forces(lines_, step, *wanted.forces);
+  if (wanted.tangent != nullptr)
+    add_line_tangents(lines_, step, wanted.tangent_of, *wanted.tangent);
+  return {};
 }
 
 Balance NonlinearDomain::balance(const QuadratureStates& old, const QuadratureStates& now) const {
@@ -77,7 +92,8 @@ double NonlinearDomain::energy(const VectorXd& u, const VectorXd&, double t,
   double stored = 0;
   for (const auto& record : states.records)
     stored += record.volume * record.stored;
-  return constant_.energy(u, constant_.constant_forces(u, t), t, {}) + ranks_.sum(stored);
+  return constant_.energy(u, constant_.constant_forces(u, t), t, {}) + ranks_.sum(stored) +
+         line_energy(lines_, u);
 }
 
 VectorXd NonlinearDomain::constant_forces(const VectorXd& u, double t) const {
@@ -96,6 +112,7 @@ double NonlinearDomain::largest_eigenvalue(const VectorXd& inverse_mass, const A
   const auto multiply = [this](const VectorXd& x, VectorXd& y) {
     constant_.multiply(x, y);
     cells_->add_initial_product(x, y);
+    add_bound_of_stiffness(lines_, x, y);
   };
   return linalg::largest_eigenvalue(AdmittedProduct(multiply, add_up, admit), inverse_mass);
 }

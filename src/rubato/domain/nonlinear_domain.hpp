@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Bodies whose forces are not a constant matrix times their displacements, and whatever else is constant:
-/// f_int = K u + Σ f(cells), U = ½ u·K u + Σ U(cells), K of the constant cells and of springs, with their
-/// heat and springs by tables as in LinearDomain.
+/// f_int = K u + Σ f(cells) + Σ f(lines), U = ½ u·K u + Σ U(cells) + Σ U(lines), K of the constant cells and
+/// of springs, with their heat and springs by tables as in LinearDomain. Lines are springs along the current
+/// line between their ends.
 #pragma once
 
 #include "rubato/domain/evaluation.hpp"
 #include "rubato/domain/heat.hpp"
 #include "rubato/domain/law_springs.hpp"
+#include "rubato/domain/line_springs.hpp"
 #include "rubato/domain/linear_domain.hpp"
 #include "rubato/domain/nonlinear_cells.hpp"
 #include "rubato/domain/quadrature_states.hpp"
@@ -24,11 +26,12 @@ public:
   /// `constant`: K of the cells that are constant and of springs. `initial`: the same with the tangents of
   /// the other cells where nothing has happened yet; nothing where nobody asks for it. Both have the pattern
   /// that `cells` have places in. With several ranks in `workers` they are this one's parts, and `cells` its
-  /// own.
+  /// own. `lines`: all of them on every rank; `constant` has entries at their dofs, and the first rank counts
+  /// them.
   NonlinearDomain(SparseMatrix&& constant, std::optional<SparseMatrix>&& initial,
                   std::shared_ptr<const NonlinearCells> cells, int components,
                   std::shared_ptr<const Heat> heat = nullptr, std::vector<LawSpring> springs = {},
-                  const Workers& workers = {});
+                  const Workers& workers = {}, std::vector<LineSpring> lines = {});
 
   static constexpr bool is_linear = false;
 
@@ -43,6 +46,7 @@ public:
   }
   const Heat* heat() const { return constant_.heat(); }
   std::span<const LawSpring> law_springs() const { return constant_.law_springs(); }
+  std::span<const LineSpring> line_springs() const { return lines_; }
   /// Throws InputError where there is none.
   const SparseMatrix& initial_tangent() const;
   PlasticStep plastic_step(const QuadratureStates& old, const QuadratureStates& now) const;
@@ -57,10 +61,13 @@ public:
   }
 
 private:
+  Failed add_lines(const StepSpan& step, const Wanted& wanted) const;
+
   LinearDomain constant_;
   /// Shared by copies, which only read them.
   std::shared_ptr<const SparseMatrix> initial_; ///< null where nobody asks for it
   std::shared_ptr<const NonlinearCells> cells_;
+  std::vector<LineSpring> lines_;
   Ranks ranks_;
 };
 

@@ -9,7 +9,8 @@ enum class Failure {
   inverted,       ///< J ≤ 0
   law,            ///< the law has no response
   mode_iteration, ///< no end of the iteration for the cell's own unknowns
-  not_finite      ///< a force that is no number
+  not_finite,     ///< a force that is no number
+  no_length       ///< the ends of a connector that rotates are at one place
 };
 
 /// The reason in words: "a point is turned inside out (J ≤ 0)".

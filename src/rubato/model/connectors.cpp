@@ -2,6 +2,7 @@
 #include "rubato/contact/small_vectors.hpp"
 #include "rubato/contact/zone.hpp"
 #include "rubato/domain/law_springs.hpp"
+#include "rubato/domain/line_springs.hpp"
 #include "rubato/linalg/sparse_sum.hpp"
 #include "rubato/model/build.hpp"
 #include "rubato/model/model.hpp"
@@ -52,6 +53,12 @@ private:
     const auto ends = ends_of({connector.on, path + ".on"});
     if (ends.empty())
       return;
+    if (connector.anchor) {
+      const auto& place = *connector.anchor;
+      for (const auto& end : ends)
+        add_between(connector, end, {{place[0], place[1], place[2]}, {}, {}}, path);
+      return;
+    }
     if (connector.to.empty()) {
       for (const auto& end : ends)
         add(connector, end, nullptr, direction_of(*connector.along));
@@ -61,16 +68,37 @@ private:
     if (others.empty() || !is_one(ends, connector.on, path + ".on") ||
         !is_one(others, connector.to, path + ".to"))
       return;
-    const Vector3d way = contact::difference_of(others.front().place, ends.front().place);
+    add_between(connector, ends.front(), others.front(), path);
+  }
+
+  void add_between(const study::Connector& connector, const End& on, const End& to, const std::string& path) {
+    const Vector3d way = contact::difference_of(to.place, on.place);
     if (!connector.along && contact::length_of(way) == 0)
-      return faults_.push_back(fault_at(
-          path,
-          fmt::format("'{}' and '{}' are at the same place, expected 'along', the direction of the connector",
-                      connector.on, connector.to)));
-    add(connector, ends.front(), &others.front(),
-        connector.along ? direction_of(*connector.along) : contact::unit_of(way));
-    if (!connector.along)
-      connectors_.back().way = way_between(connector, ends.front(), others.front());
+      return faults_.push_back(fault_at(path, without_length(connector)));
+    add(connector, on, &to, connector.along ? direction_of(*connector.along) : contact::unit_of(way));
+    if (connector.along)
+      return;
+    auto& made = connectors_.back();
+    made.way = way_between(connector, on, to);
+    if (!connector.rotates)
+      return;
+    made.line = {{connector.stiffness, std::exchange(made.force, std::nullopt)},
+                 {connector.damping, std::exchange(made.damper, std::nullopt)}};
+    made.stiffness = made.damping = 0;
+  }
+
+  static std::string without_length(const study::Connector& connector) {
+    if (connector.anchor)
+      return fmt::format("'{}' is at the anchor, expected an anchor at another place: the connector acts "
+                         "along the line between them",
+                         connector.on);
+    if (connector.rotates)
+      return fmt::format("'{}' and '{}' are at the same place, expected two places: a connector with "
+                         "rotates: true acts along the line between them",
+                         connector.on, connector.to);
+    return fmt::format(
+        "'{}' and '{}' are at the same place, expected 'along', the direction of the connector", connector.on,
+        connector.to);
   }
 
   ConnectorWay way_between(const study::Connector& connector, const End& on, const End& to) const {
@@ -188,6 +216,32 @@ std::vector<domain::LawSpring> laws_of(const Model& model, std::optional<LinearT
   return springs;
 }
 
+/// A cell with the node; −1: none.
+mesh::CellIndex cell_at(const Model& model, mesh::NodeIndex node) {
+  for (const auto cell : model.bulk.cells)
+    if (std::ranges::find(model.mesh.nodes_of(cell), node) != model.mesh.nodes_of(cell).end())
+      return cell;
+  return -1;
+}
+
+/// The lists of all directions have the same dofs in the same order.
+domain::LineSpring line_spring_of(const Model& model, const Connector& connector) {
+  const auto& way = *connector.way;
+  domain::LineSpring spring;
+  spring.undeformed = way.undeformed;
+  spring.spring = connector.line->spring;
+  spring.dashpot = connector.line->dashpot;
+  spring.rows = Eigen::Matrix3Xd::Zero(3, static_cast<Index>(way.moved[0].size()));
+  for (const auto& term : way.moved[0])
+    spring.dofs.push_back(term.dof);
+  for (std::size_t i = 0; i < way.moved.size(); ++i)
+    for (std::size_t d = 0; d < way.moved.at(i).size(); ++d)
+      spring.rows(static_cast<Index>(i), static_cast<Index>(d)) = way.moved.at(i)[d].coefficient;
+  const auto place = static_cast<std::size_t>(spring.dofs.front() / model.dofs.components);
+  spring.cell = cell_at(model, model.dofs.nodes[place]);
+  return spring;
+}
+
 /// Σ factor rᵀ r. Blocks of nodes are whole: what multiplies matrices reads them so.
 SparseMatrix sum_of(const Model& model, double Connector::*factor) {
   std::vector<Eigen::Triplet<double, int>> entries;
@@ -270,6 +324,30 @@ SparseMatrix reference_masses(const Model& model) {
 
 std::vector<domain::LawSpring> law_springs(const Model& model) {
   return laws_of(model, &Connector::force, &Connector::stiffness);
+}
+
+std::vector<domain::LineSpring> line_springs(const Model& model) {
+  std::vector<domain::LineSpring> springs;
+  for (const auto& connector : model.connectors)
+    if (connector.line)
+      springs.push_back(line_spring_of(model, connector));
+  return springs;
+}
+
+void add_lines(const Model& model, double factor, SparseMatrix& stiffness) {
+  const auto springs = line_springs(model);
+  if (springs.empty())
+    return;
+  std::vector<Eigen::Triplet<double, int>> places;
+  for (const auto& spring : springs)
+    for (const int row : spring.dofs)
+      for (const int column : spring.dofs)
+        places.emplace_back(row, column, 0);
+  SparseMatrix sum(model.dofs.dof_count, model.dofs.dof_count);
+  sum.setFromTriplets(places.begin(), places.end());
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model.dofs.dof_count);
+  domain::add_line_tangents(springs, {rest, rest}, domain::TangentOf::symmetric, sum);
+  linalg::add_scaled(factor, sum, stiffness);
 }
 
 std::vector<domain::LawSpring> law_dampers(const Model& model) {

@@ -79,7 +79,7 @@ domain::Domain make_explicit_domain(const Model& model, std::span<const double> 
       std::make_shared<domain::NonlinearCells>(model.mesh, bulk, model.dofs, own.nonlinear, model.threads);
   cells->find_rates(model.mesh, bulk, mass_factors);
   return {domain::NonlinearDomain(std::move(constant), std::nullopt, cells, model.dofs.components, model.heat,
-                                  law_springs(model), model.threads),
+                                  law_springs(model), model.threads, line_springs(model)),
           domain::initial_states(model.mesh, bulk)};
 }
 
@@ -96,16 +96,21 @@ domain::Domain make_domain(const Model& model, const domain::BlockPattern& patte
   add_springs(model, stiffness);
   auto states = domain::initial_states(model.mesh, model.bulk);
   const int components = model.dofs.components;
-  if (domain::is_linear(model.bulk))
+  auto lines = line_springs(model);
+  if (domain::is_linear(model.bulk) && lines.empty())
     return {domain::LinearDomain(std::move(stiffness), components, model.heat, law_springs(model), workers),
             std::move(states)};
   auto constant = domain::assemble_constant_stiffness(model.mesh, model.bulk, pattern);
   add_springs(model, constant);
+  if (model.sharing().is_first()) {
+    add_lines(model, 1, stiffness);
+    add_lines(model, 0, constant);
+  }
   const auto cells = std::make_shared<domain::NonlinearCells>(model.mesh, model.bulk, model.dofs,
                                                               own_cells(model).nonlinear, model.threads);
   cells->find_places(constant);
   return {domain::NonlinearDomain(std::move(constant), std::move(stiffness), cells, components, model.heat,
-                                  law_springs(model), workers),
+                                  law_springs(model), workers, std::move(lines)),
           std::move(states)};
 }
 
@@ -170,7 +175,8 @@ void assemble_implicit(Model& model) {
 void assemble_explicit(Model& model) {
   const auto& bulk = model.bulk;
   const auto rayleigh = rayleigh_of(model.study.materials);
-  const bool linear = domain::is_linear(bulk);
+  const bool linear =
+      domain::is_linear(bulk) && std::ranges::none_of(model.study.connectors, &study::Connector::rotates);
   const bool by_stiffness = Rayleigh::any(rayleigh.stiffness);
   std::optional<domain::BlockPattern> pattern;
   model.parts = explicit_parts(model);

@@ -25,7 +25,7 @@ double ratio_of(const study::ModalDamping& asked, Index mode) {
 
 linalg::EigenModes found_modes(const Model& model, int number) {
   const bool floats = model.reduction.prescribed().empty() && model.springs.empty() &&
-                      std::ranges::none_of(model.connectors, [](const auto& c) { return c.stiffness > 0; });
+                      std::ranges::none_of(model.connectors, [](const auto& c) { return c.resists(); });
   auto stiffness = linalg::whole_of(model.domain.initial_tangent(), model.sharing());
   add_slopes_at_rest(model, stiffness);
   auto found = linalg::smallest_modes(model.reduction.reduced(stiffness),

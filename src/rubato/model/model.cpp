@@ -346,15 +346,17 @@ VectorXd controlled_force(const Model& model, double t, const VectorXd& u) {
 }
 
 bool is_damped(const Model& model) {
-  return model.has_damping || !model.modal_damping.empty() || !model.dampers.empty();
+  return model.has_damping || !model.modal_damping.empty() || !model.dampers.empty() ||
+         domain::has_dashpots(model.domain.line_springs());
 }
 
-VectorXd damping_force(const Model& model, const VectorXd& v) {
+VectorXd damping_force(const Model& model, const VectorXd& u, const VectorXd& v) {
   VectorXd force =
       model.has_damping ? linalg::product_of(model.damping, v, model.sharing()) : VectorXd::Zero(v.size());
   if (!model.modal_damping.empty())
     linalg::add_scaled(1, model.modal_damping.force(v), force);
   domain::add_beyond_matrix(model.dampers, v, force);
+  domain::add_line_damping(model.domain.line_springs(), u, v, force);
   return force;
 }
 

@@ -26,7 +26,7 @@ Eigen::VectorXd controlled_force(const Model& model, double t, const Eigen::Vect
 
 /// Whether velocities are resisted.
 bool is_damped(const Model& model);
-/// What resists them: C v, with the damping of modes [force].
-Eigen::VectorXd damping_force(const Model& model, const Eigen::VectorXd& v);
+/// What resists them: C v, with the damping of modes, and of dashpots that rotate at displacements u [force].
+Eigen::VectorXd damping_force(const Model& model, const Eigen::VectorXd& u, const Eigen::VectorXd& v);
 
 } // namespace rubato::model

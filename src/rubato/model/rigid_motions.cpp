@@ -162,7 +162,7 @@ void RigidMotions::add_firm_supports() {
     if (!spring.soft)
       add_dof(spring.dof);
   for (const auto& connector : model_.connectors)
-    if (connector.stiffness > 0)
+    if (connector.resists())
       add_connector(connector);
   for (const auto& gauge : model_.gauges)
     add_gauge(gauge);
@@ -282,11 +282,20 @@ Eigen::VectorXd RigidMotions::row_of_dof(int dof) const {
   return row(model_.dofs.nodes[static_cast<std::size_t>(dof / model_.dofs.components)], direction);
 }
 
+/// A connector that rotates also resists motions across it if it has a force in the undeformed model.
 void RigidMotions::add_connector(const Connector& connector) {
+  add_terms(connector.row);
+  if (connector.line && connector.line->spring.at(0) != 0)
+    for (const auto& direction : connector.way->moved)
+      if (!direction.empty())
+        add_terms(direction);
+}
+
+void RigidMotions::add_terms(const std::vector<constraint::Term>& terms) {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(columns());
-  for (const auto& term : connector.row) {
+  for (const auto& term : terms) {
     linalg::add_scaled(term.coefficient, row_of_dof(term.dof), sum);
-    ties_bodies_ = ties_bodies_ || body_of_dof(term.dof) != body_of_dof(connector.row.front().dof);
+    ties_bodies_ = ties_bodies_ || body_of_dof(term.dof) != body_of_dof(terms.front().dof);
   }
   add_row(sum);
 }

@@ -57,6 +57,7 @@ private:
   Eigen::Index columns() const { return static_cast<Eigen::Index>(bodies_.count()) * modes_; }
   void add_dof(int dof);
   void add_connector(const Connector& connector);
+  void add_terms(const std::vector<constraint::Term>& terms);
   void add_relation(const constraint::DependentDof& dependent);
   void add_gauge(const Gauge& gauge);
   void add_row(const Eigen::VectorXd& row);

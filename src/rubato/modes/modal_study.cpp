@@ -50,7 +50,7 @@ study::Study modal_study(const study::Study& asked) {
   study.modal_damping.reset();
   study.temperatures.clear(); // strains without stress leave stiffness and mass as they are
   for (auto& connector : study.connectors) {
-    if (connector.force)
+    if (connector.force && !connector.rotates) // a force at rest stiffens those that rotate
       connector.stiffness = slope_at(*std::exchange(connector.force, std::nullopt), 0);
     connector.damper.reset();
   }

@@ -41,7 +41,7 @@ linalg::EigenModes find_modes(const Model& model, const SparseMatrix& relations,
   const auto stiffness = model.reduction.reduced(model.domain.initial_tangent());
   const bool floats =
       model.study.supports.empty() && model.springs.empty() &&
-      std::ranges::none_of(model.connectors, [](const auto& connector) { return connector.stiffness > 0; });
+      std::ranges::none_of(model.connectors, [](const auto& connector) { return connector.resists(); });
   auto found = linalg::smallest_modes(stiffness, model.reduction.reduced(model.mass),
                                       reduced_relations(model, relations), number,
                                       floats ? linalg::Support::none : linalg::Support::unknown);
@@ -100,7 +100,7 @@ Modes modes_of(const Model& model, const ModeRequest& request) {
   modes.warnings = std::move(closed.warnings);
   if (!model.domain.is_linear())
     modes.notes.emplace_back(
-        "bodies are nonlinear: these are small vibrations about their undeformed shape, with "
+        "bodies or connectors are nonlinear: these are small vibrations about their undeformed shape, with "
         "the stiffness that they begin with");
   modes.frequencies = found.values.cwiseSqrt() / (2 * std::numbers::pi);
   modes.residuals = found.residuals;

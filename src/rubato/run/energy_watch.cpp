@@ -29,8 +29,8 @@ constexpr double unexplained_energy = 1e-6;
 /// Of the largest energy: what friction may give back to bodies, which it only takes from.
 constexpr double given_by_friction = 1e-2;
 
-/// What the bodies have from nowhere: all in all, or from contact or finite strain alone where the scheme
-/// takes that again.
+/// What the bodies have from nowhere: all in all, or from contact, or finite strain and rotation, alone where
+/// the scheme takes that again.
 double gained(const step::EnergyLedger& ledger) {
   return std::max({ledger.gain(), -ledger.impact, -ledger.bulk_scheme});
 }
@@ -40,8 +40,8 @@ struct Cause {
   std::string text;
 };
 
-/// Whatever gave most first. What steps give in finite strain feeds high frequencies, which schemes without
-/// damping keep.
+/// Whatever gave most first. What steps give in finite strain and rotation feeds high frequencies, which
+/// schemes without damping keep.
 std::string causes_of(const step::EnergyLedger& ledger, const std::string& giver) {
   const double impact = ledger.impact;
   const double scheme = ledger.numerical;
@@ -55,7 +55,8 @@ std::string causes_of(const step::EnergyLedger& ledger, const std::string& giver
                                           giver.empty() ? "" : " of " + giver, -impact)});
   if (strain < 0)
     causes.push_back(
-        {strain, fmt::format("steps too long for finite strain gave {:.3g} (bulk_scheme)", -strain)});
+        {strain,
+         fmt::format("steps too long for finite strain or rotation gave {:.3g} (bulk_scheme)", -strain)});
   std::ranges::stable_sort(causes, {}, &Cause::taken);
   std::vector<std::string> texts;
   std::ranges::transform(causes, std::back_inserter(texts), &Cause::text);
@@ -69,7 +70,7 @@ std::string causes_of(const step::EnergyLedger& ledger, const std::string& giver
 /// Of a run's largest gain.
 const char* cause_of(const step::EnergyRecord& record) {
   if (record.by_bulk_scheme > std::max(record.by_scheme, record.by_impact))
-    return "by finite strain";
+    return "by finite strain or rotation";
   return record.by_scheme > record.by_impact ? "by the time scheme" : "by contact";
 }
 

@@ -208,7 +208,7 @@ private:
       tell_scheme();
     if (const auto method = simulation_.method(); !method.empty())
       watch_.say(fmt::format("{}: {}", name(), method));
-    if (!model_.domain.is_linear() && is_damped_by_stiffness(model_.study))
+    if (!domain::is_linear(model_.bulk) && is_damped_by_stiffness(model_.study))
       watch_.say(
           fmt::format("{}: bodies are nonlinear, their damping is made of the stiffness that they begin "
                       "with",

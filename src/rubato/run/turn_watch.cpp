@@ -63,7 +63,7 @@ double turn_of(const model::ConnectorWay& way, const step::State& state) {
 
 TurnWatch::TurnWatch(const model::Model& model, const Watch& watch) : model_(model), watch_(watch) {
   for (const auto& connector : model.connectors)
-    if (connector.way)
+    if (connector.way && !connector.line)
       ways_.push_back(&*connector.way);
   for (const auto& reference : model.references)
     if (reference.turns && is_bound(model.study, reference))
@@ -84,8 +84,8 @@ void TurnWatch::note_connectors(const step::State& now) {
       return false;
     watch_.warn(
         fmt::format("{}: at t = {:g} the connector between '{}' and '{}' has turned by {:.3g} radians, "
-                    "more than {}: its force keeps the direction that it had undeformed; expected a "
-                    "meshed bar of a material with strain: green_lagrange in its place",
+                    "more than {}: its force keeps the direction that it had undeformed; expected "
+                    "'rotates: true' at the connector, which then acts along the current line",
                     model_.study.name, now.t, way->on, way->to, turn, model::largest_small_angle));
     return true;
   });

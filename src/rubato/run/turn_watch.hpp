@@ -16,7 +16,7 @@ namespace rubato::run {
 
 /// Rigid relations are linear, u = t + θ × r: a group that turns by θ becomes longer by θ²/2 across the axis.
 /// The forces and supports of a distributed reference are shared out by the undeformed shape in the same way.
-/// A connector along the way between its ends keeps the undeformed direction.
+/// A connector along the way between its ends keeps the undeformed direction, unless it rotates.
 /// Said once of each relation and connector.
 class TurnWatch {
 public:

@@ -223,8 +223,9 @@ std::string solver_text(const Model& model, const EffectiveSystem& system) {
     return fmt::format("iterative{}: conjugate gradients with multigrid in place of a factor of the bulk",
                        model.zones.empty() ? "" : ", condensed on contact points");
   if (!model.domain.is_linear())
-    return fmt::format("{}the bulk is nonlinear, its tangent factored {}",
-                       model.zones.empty() ? "" : "condensed on contact points: ",
+    return fmt::format("{}{} factored {}", model.zones.empty() ? "" : "condensed on contact points: ",
+                       domain::is_linear(model.bulk) ? "connectors rotate, the tangent is"
+                                                     : "the bulk is nonlinear, its tangent",
                        model.study.newton.tangent == study::TangentChoice::full
                            ? "in every iteration"
                            : "in every step, and when iterations come to little");

@@ -168,6 +168,9 @@ void EnergyAccount::enter(const State& committed, const State& trial) {
                        supports.with_step;
   ledger_.numerical +=
       domain::missed_between(model_->domain.law_springs(), committed.motion.u, trial.motion.u);
+  if (!scheme_->conserving)
+    ledger_.bulk_scheme +=
+        domain::missed_along_lines(model_->domain.line_springs(), committed.motion.u, trial.motion.u);
   ledger_.unbalanced += work_of_equation(moved, committed, trial) - scheme_->forces.now * rigid_now -
                         scheme_->forces.before * rigid_before - supports.with_step;
 }

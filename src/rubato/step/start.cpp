@@ -43,13 +43,13 @@ VectorXd solve_mass(const model::SparseMatrix& mass, const VectorXd& force) {
 
 /// M a = −(residual force + C v) on the free dofs, a = 0 where nothing has mass; `given`: what supports and
 /// relations give of a, 0 on free dofs.
-VectorXd balanced_acceleration(const Model& model, const VectorXd& residual_force, const VectorXd& velocity,
+VectorXd balanced_acceleration(const Model& model, const VectorXd& residual_force, const time::Motion& motion,
                                const VectorXd& given) {
   VectorXd force = -residual_force;
   if (!given.isZero(0))
     force -= linalg::product_of(model.mass, given, model.sharing());
   if (model::is_damped(model))
-    force -= model::damping_force(model, velocity);
+    force -= model::damping_force(model, motion.u, motion.v);
   auto mass = linalg::whole_of(model.reduction.reduced(model.mass), model.sharing());
   for (const auto node : model.massless_nodes)
     for (int i = 0; i < model.dofs.components; ++i) {
@@ -154,7 +154,7 @@ BulkForces bulk_forces(const Model& model, const State& state) {
   BulkForces forces{
       internal_forces(model, state), {}, model.products.mass(motion.v), model.products.mass(motion.a)};
   if (model::is_damped(model))
-    forces.viscous = model::damping_force(model, motion.v);
+    forces.viscous = model::damping_force(model, motion.u, motion.v);
   return forces;
 }
 
@@ -178,7 +178,7 @@ State initial_state(const Model& model, const time::Scheme& scheme, double t, bo
     state.zones.push_back(untouched_zone(model, zone, state.motion.u, t));
   if (scheme.dynamic)
     state.motion.a =
-        balanced_acceleration(model, internal - loaded, state.motion.v, given_acceleration(model, t));
+        balanced_acceleration(model, internal - loaded, state.motion, given_acceleration(model, t));
   if (!loaded_history)
     state.residual_force.setZero();
   state.bulk = bulk_forces(model, state);
@@ -210,7 +210,7 @@ State continued_state(const Model& model, const time::Scheme& scheme, const Stat
     unbalanced += state.contact_force;
   }
   if (scheme.dynamic)
-    state.motion.a = balanced_acceleration(model, unbalanced, state.motion.v, given_acceleration(model, t));
+    state.motion.a = balanced_acceleration(model, unbalanced, state.motion, given_acceleration(model, t));
   state.bulk = bulk_forces(model, state);
   state.external_force = loaded;
   if (state.friction_force.size() != state.contact_force.size()) // explicit runs don't keep it apart
@@ -226,7 +226,7 @@ void release(const Model& model, const time::Scheme& scheme, State& state) {
   state.residual_force = state.bulk.internal - state.external_force;
   if (scheme.remembers_contact())
     state.residual_force += state.contact_force;
-  state.motion.a = balanced_acceleration(model, state.residual_force, state.motion.v,
+  state.motion.a = balanced_acceleration(model, state.residual_force, state.motion,
                                          given_part_of(model.reduction, state.motion.a));
   state.bulk.inertia = model.products.mass(state.motion.a);
 }

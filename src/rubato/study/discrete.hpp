@@ -17,6 +17,11 @@ struct Connector {
   std::string to; ///< empty: the ground
   /// Of any length > 0. Not given: from `on` to `to` as they are undeformed.
   std::optional<std::array<double, 3>> along = {};
+  /// Acts along the current line from `on` to `to` or to the anchor; the elongation is the change of its
+  /// length. Without `along`.
+  bool rotates = false;
+  /// Place of the end at the ground, of connectors that rotate and have no `to` [length].
+  std::optional<std::array<double, 3>> anchor = {};
   double stiffness = 0; ///< [force/length] ≥ 0
   double damping = 0;   ///< [force · time/length] ≥ 0
   /// Instead of `stiffness`: force against elongation. That is the displacement of `to` along the direction

@@ -230,6 +230,10 @@ Json echo(const Connector& connector, int dimension) {
     if (law)
       map[key] = {{places, law->at}, {"forces", law->values}, {"outside", word(outside_words, law->outside)}};
   };
+  if (connector.rotates)
+    map["rotates"] = true;
+  if (connector.anchor)
+    map["anchor"] = std::vector(connector.anchor->begin(), connector.anchor->begin() + dimension);
   map["stiffness"] = connector.stiffness;
   map["damping"] = connector.damping;
   put_law("force", "elongations", connector.force);

@@ -70,7 +70,8 @@ bool is_linear(const Study& study, const Material& material) {
 
 bool is_linear(const Study& study) {
   return std::ranges::all_of(study.materials,
-                             [&](const Material& material) { return is_linear(study, material); });
+                             [&](const Material& material) { return is_linear(study, material); }) &&
+         std::ranges::none_of(study.connectors, &Connector::rotates);
 }
 
 bool remembers(const Material& material) {

@@ -130,7 +130,8 @@ relations:
   mean: {distributed: {on: d, at: )" +
             std::string(flat ? "[1, 2]" : "[1, 2, 3]") + R"(}}
 connectors: [{on: hub, to: N1, stiffness: 2}, {on: a, along: )" +
-            std::string(flat ? "[1, 2]" : "[1, 2, 3]") + R"(, damping: 3, to: N3}]
+            std::string(flat ? "[1, 2]" : "[1, 2, 3]") + R"(, damping: 3, to: N3},
+  {on: hub, to: N2, rotates: true, stiffness: 2}]
 masses: [{on: N1, mass: 2}]
 loads: [{moment: {on: hub, z: 3, function: ramp}}]
 physics: )" +
@@ -139,6 +140,14 @@ physics: )" +
     EXPECT_EQ(study.relations.size(), 6U);
     EXPECT_EQ(parse_echo(study::to_json(study), "echo.json"), study) << physics;
   }
+}
+
+TEST(StudyEcho, ReadsBackAnchors) {
+  const auto study =
+      parse_one(smallest_deck + "connectors: [{on: a, rotates: true, damping: 2, anchor: [1, 2, 3]}]\n");
+  ASSERT_EQ(study.connectors.size(), 1U);
+  EXPECT_EQ(study.connectors[0].anchor, (std::array<double, 3>{1, 2, 3}));
+  EXPECT_EQ(parse_echo(study::to_json(study), "echo.json"), study);
 }
 
 TEST(StudyEcho, NamesTheRunItStartsFrom) {

@@ -115,6 +115,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadPart{"base_motion: {x: {acceleration: 1}, frame: absolute}\nsprings: [{on: g, x: 1}]",
                 "has no springs and dashpots to a ground that moves",
                 "{scheme: central_difference, record: 1, end: 2}"},
+        BadPart{"base_motion: {x: {acceleration: 1}, frame: absolute}\nconnectors: [{on: g, anchor: [7, 7], "
+                "rotates: true, stiffness: 1}]",
+                "the anchor of a connector cannot move with a base in the frame absolute"},
         BadPart{"base_motion: {x: 0.1*t, frame: absolute}\nconnectors: [{on: g, along: [1, 0], damping: 1}]",
                 "need the velocity of the base, expected 'velocity' or 'acceleration'"},
         BadPart{"base_motion: {x: {acceleration: 1}}", "axisymmetric bases move along their axis y only",

@@ -106,7 +106,11 @@ TEST(Turns, OfAConnectorAlongTheWayBetweenItsEndsAreToldOnce) {
   EXPECT_NE(warnings_of_a_connector("", 0.6).at(0).find(
                 "the connector between 'end' and 'eye' has turned by 0.0599 radians, more than 0.05"),
             std::string::npos);
+  EXPECT_NE(warnings_of_a_connector("", 0.6).at(0).find(
+                "expected 'rotates: true' at the connector, which then acts along the current line"),
+            std::string::npos);
   EXPECT_TRUE(warnings_of_a_connector(", along: [0, 1]", 4).empty()) << "a direction of its own is meant";
+  EXPECT_TRUE(warnings_of_a_connector(", rotates: true", 4).empty()) << "it acts along the current line";
 }
 
 } // namespace

@@ -159,19 +159,21 @@ Forms springs() {
 }
 
 Forms connectors() {
-  return list(
-      map("a spring and a dashpot side by side",
-          {{"on", "a node or a reference; without 'to' also a group, node by node", name(), true},
-           {"to", "a node or a reference; the ground when not given", name()},
-           {"along", "direction; from 'on' to 'to' when not given", coordinates()},
-           {"stiffness", "of the spring [force/length]; 0 when not given", number(study::bounds::connector)},
-           {"damping", "of the dashpot [force · time/length]; 0 when not given",
-            number(study::bounds::connector)},
-           {"force", "of the spring by a table, instead of 'stiffness'",
-            connector_law("a spring by a table", "elongations",
-                          "displacement of 'to' less that of 'on', to the ground that of 'on' [length]")},
-           {"damper", "of the dashpot by a table, instead of 'damping'",
-            connector_law("a dashpot by a table", "rates", "rates of the elongation [length/time]")}}));
+  return list(map(
+      "a spring and a dashpot side by side",
+      {{"on", "a node or a reference; without 'to' also a group, node by node", name(), true},
+       {"to", "a node or a reference; the ground when not given", name()},
+       {"along", "direction; from 'on' to 'to' when not given", coordinates()},
+       {"rotates", "whether it acts along the current line between its ends; false when not given", truth()},
+       {"anchor", "place of the end at the ground where it rotates [length]", coordinates()},
+       {"stiffness", "of the spring [force/length]; 0 when not given", number(study::bounds::connector)},
+       {"damping", "of the dashpot [force · time/length]; 0 when not given",
+        number(study::bounds::connector)},
+       {"force", "of the spring by a table, instead of 'stiffness'",
+        connector_law("a spring by a table", "elongations",
+                      "displacement of 'to' less that of 'on', to the ground that of 'on' [length]")},
+       {"damper", "of the dashpot by a table, instead of 'damping'",
+        connector_law("a dashpot by a table", "rates", "rates of the elongation [length/time]")}}));
 }
 
 Forms masses() {

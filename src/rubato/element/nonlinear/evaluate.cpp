@@ -71,6 +71,9 @@ const char* described(Failure failure) {
     return "the iteration for the enhanced strain of the cell has no end";
   case Failure::not_finite:
     return "a force is not finite";
+  case Failure::no_length:
+    return "a connector with rotates: true ends there, and its two ends come together: without length it "
+           "has no direction";
   }
   return "";
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/common/bulk_tangent.hpp"
 
+#include "rubato/domain/line_springs.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/model/model_forces.hpp"
 
@@ -96,7 +97,22 @@ Tangent BulkTangent::at(const VectorXd& u, VectorXd* forces, domain::TangentOf o
   if (failed)
     return nullptr;
   model::add_follower_tangent(model_, t_, u, 1, matrix_, load_factor_);
+  add_dashpots(u);
   return values_of(matrix_);
+}
+
+/// Adds the tangent of dashpots that rotate, which the constant damping matrix lacks. It is divided by the
+/// factor of tangents in the effective matrix.
+void BulkTangent::add_dashpots(const VectorXd& u) {
+  const auto lines = model_.domain.line_springs();
+  if (!scheme_.dynamic || !model_.sharing().is_first() || !domain::has_dashpots(lines))
+    return;
+  const auto predicted = time::predict(scheme_, system_.step, committed_.motion);
+  const VectorXd v = predicted.v + system_.coefficients.velocity * (u - predicted.u);
+  domain::add_line_damping_tangents(lines, u, v,
+                                    {system_.coefficients.damping / system_.coefficients.stiffness,
+                                     scheme_.damping.now / system_.coefficients.stiffness},
+                                    matrix_);
 }
 
 bool BulkTangent::put(const Tangent& tangent) {

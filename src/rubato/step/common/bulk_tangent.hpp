@@ -74,6 +74,7 @@ private:
   Eigen::VectorXd slightly_on() const;
   Tangent at(const Eigen::VectorXd& u, Eigen::VectorXd* forces,
              domain::TangentOf of = domain::TangentOf::symmetric);
+  void add_dashpots(const Eigen::VectorXd& u);
   bool put(const Tangent& tangent);
   bool put_held(const Tangent& tangent);
   void go_on_with(const Tangent& tangent);

@@ -164,7 +164,7 @@ void Equilibrium::take_inertia(const time::Motion& motion) {
     bulk_.momentum += system_.coefficients.velocity / system_.coefficients.acceleration * correction;
   }
   if (model::is_damped(model_))
-    bulk_.viscous = model::damping_force(model_, motion.v);
+    bulk_.viscous = model::damping_force(model_, motion.u, motion.v);
 }
 
 void Equilibrium::evaluate(const time::Motion& motion, const ContactForce& contact) {

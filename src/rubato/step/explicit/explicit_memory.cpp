@@ -122,7 +122,7 @@ ExplicitMotion::Memory ExplicitMotion::whole(Memory memory) const {
   const auto& parts = *model_->parts;
   for (auto* values : {&memory.u, &memory.v, &memory.residual_force})
     parts.make_whole(*values);
-  if (damping_)
+  if (is_damped())
     memory.damping_force = whole_sum(std::move(memory.damping_force));
   for (std::size_t i = 0; i < memory.reactions.size(); ++i)
     if (!owns(supports_[i].prescribed->dof))
@@ -164,7 +164,7 @@ void ExplicitMotion::restore_whole(const Memory& memory) {
   }
   for (auto& load : loads_)
     load.displacement = held_by(load);
-  if (damping_)
+  if (is_damped())
     find_damping();
 }
 
@@ -179,7 +179,7 @@ State ExplicitMotion::state() const {
     bulk_points = whole(std::move(bulk_points));
   }
   state.residual_force = unbalance;
-  if (damping_)
+  if (is_damped())
     state.residual_force -= whole_sum(damping_force_);
   state.contact_force = contact_force_;
   state.reaction = reduction_->reaction(unbalance + mass_.times(a));

@@ -5,6 +5,7 @@
 #include "rubato/core/function.hpp"
 #include "rubato/domain/admitted_product.hpp"
 #include "rubato/domain/heat.hpp"
+#include "rubato/domain/line_springs.hpp"
 #include "rubato/linalg/lanczos.hpp"
 #include "rubato/load/follower_pressure.hpp"
 #include "rubato/model/build.hpp"
@@ -115,10 +116,10 @@ ExplicitMotion::ExplicitMotion(const Model& model)
       t_(model.study.time.begin), u_(model.initial.displacement), v_(model.initial.velocity),
       bulk_points_(model.domain.initial_states()), unbalance_(VectorXd::Zero(inverse_mass_.size())),
       contact_force_(unbalance_) {
-  if (model.has_damping) {
+  if (model.has_damping)
     damping_.emplace(model.damping, model.dofs.components, model.threads);
+  if (model::is_damped(model))
     damping_force_ = unbalance_;
-  }
   find_spectrum();
   for (std::size_t z = 0; z < model.zones.size(); ++z)
     if (const auto& zone = model.zones[z]; !zone.settings.tie) {
@@ -182,7 +183,7 @@ void ExplicitMotion::find_spectrum() {
     add_up = [&](VectorXd& sum) { bare.admit_forces(sum); };
     spectrum_.stiffness = model_->domain.largest_eigenvalue(inverse_mass_, add_up, admit);
   }
-  if (damping_)
+  if (is_damped())
     spectrum_.damping = largest_damping(add_up, admit);
   if (model_->parts)
     for (Index dof = 0; dof < inverse_mass_.size(); ++dof)
@@ -192,7 +193,10 @@ void ExplicitMotion::find_spectrum() {
 }
 
 double ExplicitMotion::largest_damping(const domain::AddUp& add_up, const domain::Admit& admit) const {
-  const auto multiply = [this](const VectorXd& x, VectorXd& y) { damping_->multiply(x, y); };
+  const auto multiply = [this](const VectorXd& x, VectorXd& y) {
+    multiply_damping(x, y);
+    domain::add_bound_of_damping(model_->domain.line_springs(), x, y);
+  };
   return linalg::largest_eigenvalue(domain::AdmittedProduct(multiply, add_up, admit), inverse_mass_);
 }
 
@@ -375,10 +379,16 @@ domain::Failed ExplicitMotion::step(double end) {
   ++survey_.made;
   const bool has_scheme = model_->domain.has_own_scheme();
   const double bulk_power = has_scheme ? path_.forces.dot(v_) : 0;
-  const double damping_power = damping_ ? damping_force_.dot(v_) : 0;
+  const double damping_power = is_damped() ? damping_force_.dot(v_) : 0;
   const double follower_power = has_followers() ? follower_force_.dot(v_) : 0;
   if (const auto springs = model_->domain.law_springs(); !springs.empty())
     energy_.numerical += domain::missed_between(springs, u_ - h_ * v_, u_);
+  if (const auto lines = model_->domain.line_springs(); !lines.empty()) {
+    const VectorXd before = u_ - h_ * v_;
+    if (const auto failed = domain::find_without_length(lines, {before, u_}))
+      return failed;
+    energy_.bulk_scheme += domain::missed_along_lines(lines, before, u_);
+  }
   enter_heat(begin, end);
   enter_contact(begin, end);
   if (const auto failed = find_forces())
@@ -387,7 +397,7 @@ domain::Failed ExplicitMotion::step(double end) {
   enter(path_.taken, energy_);
   if (has_scheme)
     energy_.bulk_scheme += h_ / 2 * (bulk_power + path_.forces.dot(v_)) - path_.law_work;
-  if (damping_)
+  if (is_damped())
     energy_.damping += h_ / 2 * (damping_power + damping_force_.dot(v_));
   if (has_followers())
     energy_.external_work += h_ / 2 * (follower_power + follower_force_.dot(v_));
@@ -410,7 +420,7 @@ domain::Failed ExplicitMotion::find_forces() {
   if (failed && !model_->parts)
     return failed;
   std::swap(bulk_points_, bulk_points_next_);
-  if (damping_) {
+  if (is_damped()) {
     find_damping();
     unbalance_ += damping_force_;
   }
@@ -432,10 +442,18 @@ domain::Failed ExplicitMotion::find_forces() {
   return {};
 }
 
+void ExplicitMotion::multiply_damping(const VectorXd& x, VectorXd& y) const {
+  if (damping_)
+    damping_->multiply(x, y);
+  else
+    y.setZero();
+}
+
 /// Of several ranks their sum is meant.
 void ExplicitMotion::find_damping() {
-  damping_->multiply(v_, damping_force_);
+  multiply_damping(v_, damping_force_);
   domain::add_beyond_matrix(model_->dampers, v_, damping_force_);
+  domain::add_line_damping(model_->domain.line_springs(), u_, v_, damping_force_);
 }
 
 /// What pressures that follow their faces push with where the bodies are.

@@ -149,7 +149,9 @@ private:
   domain::QuadratureStates whole(domain::QuadratureStates states) const;
   void apply(Load& load);
   bool has_followers() const { return follower_force_.size() > 0; }
+  void multiply_damping(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
   void find_damping();
+  bool is_damped() const { return damping_force_.size() > 0; }
   void find_followers();
   void enter_heat(double from, double to);
   void enter_contact(double from, double to);
@@ -166,7 +168,7 @@ private:
 
   const model::Model* model_;
   std::shared_ptr<const constraint::Reduction> reduction_; ///< that of the model, until supports end
-  std::optional<linalg::SymmetricBlockMatrix> damping_;
+  std::optional<linalg::SymmetricBlockMatrix> damping_;    ///< nothing where all dashpots rotate
   /// Of each dof by itself; 0 where held, and where this rank does not know the motion.
   Eigen::VectorXd inverse_mass_;
   ConstrainedMass mass_;

@@ -41,7 +41,7 @@ void check_relative(Rules& rules) {
 
 bool has_springs(const Study& study) {
   const auto is_grounded = [](const Connector& connector) {
-    return connector.to.empty() && connector.stiffness > 0;
+    return connector.to.empty() && !connector.rotates && connector.stiffness > 0;
   };
   return !study.springs.empty() || std::ranges::any_of(study.connectors, is_grounded);
 }
@@ -49,7 +49,7 @@ bool has_springs(const Study& study) {
 /// Against the ground, not within the bodies.
 bool has_dampers(const Study& study) {
   const auto is_grounded = [](const Connector& connector) {
-    return connector.to.empty() && connector.damping > 0;
+    return connector.to.empty() && !connector.rotates && connector.damping > 0;
   };
   const auto is_damped = [](const Material& material) { return rayleigh_coefficients(material).mass != 0; };
   return std::ranges::any_of(study.connectors, is_grounded) ||
@@ -59,8 +59,13 @@ bool has_dampers(const Study& study) {
 /// What cannot follow the ground: forces by tables and the damping of modes are those of a ground at rest.
 void check_fixed_ground(Rules& rules) {
   const auto& study = rules.study;
+  if (std::ranges::any_of(study.connectors, [](const Connector& one) { return one.anchor.has_value(); }))
+    rules.broken({"base_motion.frame", "connectors"},
+                 "the anchor of a connector cannot move with a base in the frame absolute, expected frame: "
+                 "relative");
   const auto by_table = [](const Connector& connector) {
-    return connector.to.empty() && (connector.force.has_value() || connector.damper.has_value());
+    return connector.to.empty() && !connector.rotates &&
+           (connector.force.has_value() || connector.damper.has_value());
   };
   if (std::ranges::any_of(study.connectors, by_table))
     rules.broken({"base_motion.frame", "connectors"},

@@ -30,6 +30,22 @@ void check_connector_law(Rules& rules, const std::optional<LinearTable>& law, co
     rules.broken({path, other}, "found a table beside a number, expected one of the two");
 }
 
+/// Both of its ends are places.
+void check_rotating_connector(Rules& rules, const Connector& connector, const std::string& path) {
+  if (connector.along)
+    rules.broken({path + ".along", path + ".rotates"},
+                 "found a fixed direction beside rotates: true, whose direction is that of the line between "
+                 "the ends; expected one of the two");
+  if (connector.to.empty() != connector.anchor.has_value())
+    rules.broken({path, path + ".rotates"},
+                 connector.anchor ? "found 'to' and 'anchor', expected one of the two"
+                                  : "has rotates: true and one end; expected 'to', or 'anchor', the place of "
+                                    "the end at the ground");
+  if (connector.anchor)
+    for (std::size_t axis = 0; axis < connector.anchor->size(); ++axis)
+      rules.number(fmt::format("{}.anchor.{}", path, axis), connector.anchor->at(axis));
+}
+
 void check_connector(Rules& rules, const Connector& connector, const std::string& path) {
   rules.name(path + ".on", connector.on);
   rules.number(path + ".stiffness", connector.stiffness, bounds::connector);
@@ -44,6 +60,10 @@ void check_connector(Rules& rules, const Connector& connector, const std::string
   if (connector.on == connector.to)
     rules.broken({path + ".to", path + ".on"},
                  fmt::format("found {} at both ends, expected two places", shown(connector.on)));
+  if (connector.rotates)
+    return check_rotating_connector(rules, connector, path);
+  if (connector.anchor)
+    rules.broken({path + ".anchor"}, "has no effect: only connectors with rotates: true have an anchor");
   if (!connector.along) {
     if (connector.to.empty())
       rules.broken({path, path + ".on"},
@@ -85,7 +105,7 @@ void check_connectors(Rules& rules) {
   for (std::size_t i = 0; i < rules.study.connectors.size(); ++i)
     check_connector(rules, rules.study.connectors[i], fmt::format("connectors.{}", i));
   const auto laws = std::ranges::count_if(rules.study.connectors, [](const Connector& connector) {
-    return connector.force.has_value() || connector.damper.has_value();
+    return !connector.rotates && (connector.force.has_value() || connector.damper.has_value());
   });
   if (static_cast<std::size_t>(laws) > most_laws)
     rules.broken({"connectors"},
