@@ -157,18 +157,6 @@ void recover_axis_pressures(const Zone& zone, std::vector<PointOutcome>& outcome
   }
 }
 
-/// A node that gave its function away has the mean pressure of those that took it.
-void inherit_pressures(std::span<const PointEvaluation> points, std::vector<PointOutcome>& outcomes) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto& receivers = points[i].receivers;
-    double sum = 0;
-    for (const int receiver : receivers)
-      sum += outcomes[static_cast<std::size_t>(receiver)].pressure;
-    if (!receivers.empty())
-      outcomes[i].pressure = sum / static_cast<double>(receivers.size());
-  }
-}
-
 } // namespace
 
 PointState variables_of(const Zone& zone, const SlavePoint& point, const VectorXd& multipliers,
@@ -216,6 +204,7 @@ ZoneState initial_state(const Zone& zone) {
           std::vector<Status>(zone.points.size(), active ? closed : Status::open),
           std::vector<PointOutcome>(zone.points.size()),
           std::vector<FrictionHistory>(zone.points.size()),
+          {},
           {},
           {},
           {},
@@ -399,7 +388,6 @@ std::vector<PointOutcome> outcomes(const ZoneLaw& law, std::span<const PointEval
     outcome.tangential = scaled(weight, traction.tangential);
   }
   recover_axis_pressures(*law.zone, all);
-  inherit_pressures(points, all);
   return all;
 }
 

@@ -40,7 +40,14 @@ void FrozenPoints::make_frames(const Configuration& configuration) {
   const VectorXd rest = VectorXd::Zero(configuration.displacement->size());
   const Configuration undeformed{configuration.mesh, configuration.dofs, &rest, &rest,
                                  zone_->begin,       zone_->begin};
-  frames_ = zone_->settings.tie ? tied_points(*zone_, undeformed) : points_at(*zone_, undeformed);
+  if (!zone_->settings.tie) {
+    frames_ = points_at(*zone_, undeformed);
+    return;
+  }
+  auto ties = make_ties(*zone_, undeformed);
+  frames_ = std::move(ties.points);
+  if (zone_->finite_rotations)
+    gaps_ = std::move(ties.gaps);
 }
 
 void FrozenPoints::measure(std::size_t point, const VectorXd& multipliers, const Configuration& configuration,
@@ -57,6 +64,8 @@ void FrozenPoints::measure(std::size_t point, const VectorXd& multipliers, const
       const auto start = k.stencil.gather(*configuration.start, *configuration.dofs);
       for (int a = 0; a < 2; ++a)
         k.slip_origin[a] = -dot(column_of(k.tangents, a), start);
+      if (!gaps_.empty())
+        follow_turning(gaps_[point], configuration, k);
     }
     measure_in_frozen_frame(k, configuration);
   }

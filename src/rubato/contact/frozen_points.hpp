@@ -4,6 +4,7 @@
 #pragma once
 
 #include "rubato/contact/enforcement.hpp"
+#include "rubato/contact/tie_gap.hpp"
 
 #include <Eigen/Core>
 
@@ -32,7 +33,8 @@ private:
                PointEvaluation& into) const;
 
   const Zone* zone_;
-  std::vector<PointEvaluation> frames_; ///< where nothing has moved
+  std::vector<PointEvaluation> frames_;   ///< where nothing has moved
+  std::vector<std::vector<TieGap>> gaps_; ///< of ties in finite strain, else none
 };
 
 void evaluate(FrozenPoints& points, const Eigen::VectorXd& multipliers, const Configuration& configuration,

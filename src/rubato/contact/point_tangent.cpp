@@ -47,6 +47,10 @@ void collect_interpolation(const Kinematics& k, const Vector3d& force, int n_xi,
       for (int a = 0; a < n_xi; ++a)
         interpolation(d + a, node * d + i) = k.shape_slope(node, a) * force[i];
     }
+  for (std::size_t node = 0; node < k.stencil.turning.size(); ++node)
+    for (int i = 0; i < d; ++i)
+      for (int of = 0; of < d; ++of)
+        interpolation(i, static_cast<Index>(node) * d + of) += k.stencil.turning[node](i, of);
 }
 
 } // namespace

@@ -332,6 +332,28 @@ Vector3d outward_normal(CellType type, const FaceCoordinates& nodes, const Vecto
   return length_of(area) > no_area * size ? unit_of(area) : Vector3d(0, 0, 0);
 }
 
+std::array<Vector3d, 9> surface_gradients(CellType type, const FaceCoordinates& nodes, const Vector2d& xi) {
+  std::array<Vector3d, 9> gradients;
+  gradients.fill(Vector3d::Zero());
+  const auto shape = face_shape(type, xi);
+  const auto at = face_geometry(type, nodes, shape);
+  const Vector3d first = column_of(at.tangents, 0), second = column_of(at.tangents, 1);
+  const double a = dot(first, first), b = dot(first, second), c = dot(second, second);
+  const double determinant = a * c - b * b;
+  if (!(determinant > 0))
+    return gradients;
+  const Vector3d dual_first = scaled(1 / determinant, difference_of(scaled(c, first), scaled(b, second)));
+  const Vector3d dual_second = scaled(1 / determinant, difference_of(scaled(a, second), scaled(b, first)));
+  const int dimension = cell::topology(type).dimension;
+  for (Eigen::Index i = 0; i < nodes.cols(); ++i) {
+    const auto slope = static_cast<std::size_t>(i * dimension);
+    add_scaled(shape.gradients[slope], dual_first, gradients[static_cast<std::size_t>(i)]);
+    if (dimension == 2)
+      add_scaled(shape.gradients[slope + 1], dual_second, gradients[static_cast<std::size_t>(i)]);
+  }
+  return gradients;
+}
+
 Vector3d face_position(CellType type, const FaceCoordinates& nodes, const Vector2d& xi) {
   const auto& cell = cell::reference_cell(type);
   return with_kind(type, [&](auto kind) { return FaceMap<decltype(kind)>(nodes, cell).position(xi); });

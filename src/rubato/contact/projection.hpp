@@ -39,6 +39,11 @@ FaceGeometry face_geometry(CellType type, const FaceCoordinates& nodes, const Ei
 /// The outward unit normal at ξ; 0 where the face has no area.
 Eigen::Vector3d outward_normal(CellType type, const FaceCoordinates& nodes, const Eigen::Vector2d& xi);
 
+/// Gradients of the shape functions along the surface, in space [1/length]; 0 where the face has no area.
+/// Only the first node_count entries are set.
+std::array<Eigen::Vector3d, 9> surface_gradients(CellType type, const FaceCoordinates& nodes,
+                                                 const Eigen::Vector2d& xi);
+
 /// x(ξ) alone.
 Eigen::Vector3d face_position(CellType type, const FaceCoordinates& nodes, const Eigen::Vector2d& xi);
 

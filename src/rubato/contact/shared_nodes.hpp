@@ -5,6 +5,10 @@
 /// along the normal of the other determines it a second time: the forces are not unique then, and iterations
 /// pass them from one point to the other. Friction of such points acts along directions only that are
 /// tangential to both surfaces: along the edge that these form in space, along none in the plane.
+///
+/// Points of several zones on one node before the same master have the same gap along the same normal. The
+/// gap closes once, and how its force is distributed to the zones is undetermined. One point represents them
+/// with the sum of their areas; each reports the same pressure, and its part of the force by its area.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,7 +20,9 @@
 namespace rubato::contact {
 
 struct Kinematics;
+struct PointOutcome;
 struct Zone;
+struct ZoneState;
 
 struct PointOfZone {
   std::size_t zone = 0;
@@ -32,6 +38,18 @@ struct FrictionDirections {
 /// The points of each slave node that has several, where one of their zones has friction. Points of ties,
 /// excluded ones and those that share multipliers with others are in none.
 std::vector<std::vector<PointOfZone>> points_of_shared_nodes(std::span<const Zone> zones);
+
+/// Joins the points of nodes that several zones share before the same master or obstacle, where their method
+/// closes gaps exactly at nodes. The first point with friction, else the first one, gets the areas of all and
+/// the mean of their coefficients of friction; the others are excluded.
+void join_shared_points(std::span<Zone> zones);
+
+/// Distributes what representing points do, in proportion to areas: outcomes, statuses and multipliers.
+/// `states`: those of the zones at the end of a step, whose excluded points did nothing.
+void distribute_shared_points(std::span<const Zone> zones, std::span<ZoneState> states);
+
+/// What a representing point does for all points that it represents, from its own part.
+PointOutcome whole_outcome(const Zone& zone, std::size_t point, PointOutcome outcome);
 
 /// What is tangential to the surface of a point and to those with these normals, unit vectors. Normals within
 /// 10 degrees of the point's, its own too, count as the same surface.

@@ -18,11 +18,19 @@ struct Stencil {
   Eigen::VectorXd weights;            ///< +N_i on slave nodes, −N_j(ξ̄) on master nodes
   /// Where components have weights of their own, as in a tie: one row a node; else empty.
   Eigen::Matrix<double, Eigen::Dynamic, 3> by_component;
+  /// Of a tie over a gap: what the rotation of the gap vector adds at each node, −∂G/∂u; else empty.
+  std::vector<Eigen::Matrix3d> turning;
   int components = 3; ///< of displacements and forces
 
   bool is_uniform() const { return by_component.rows() == 0; }
   double weight(Eigen::Index node, int component) const {
     return is_uniform() ? weights[node] : by_component(node, component);
+  }
+
+  /// What component `of` of a node's value counts in component `component` of the sum.
+  double weight(Eigen::Index node, int component, int of) const {
+    const double own = component == of ? weight(node, component) : 0;
+    return turning.empty() ? own : own + turning[static_cast<std::size_t>(node)](component, of);
   }
 
   int unknowns() const { return static_cast<int>(nodes.size()) * components; }
@@ -34,6 +42,8 @@ struct Stencil {
       const Eigen::Vector3d of_node = value(nodes[i]);
       for (int c = 0; c < 3; ++c)
         total[c] += weight(static_cast<Eigen::Index>(i), c) * of_node[c];
+      if (!turning.empty())
+        add_turning(i, of_node, total);
     }
     return total;
   }
@@ -45,6 +55,8 @@ struct Stencil {
       const auto first = dofs.dof(nodes[i], 0);
       for (int c = 0; c < components; ++c)
         total[c] += weight(static_cast<Eigen::Index>(i), c) * values[first + c];
+      if (!turning.empty())
+        add_turning(i, value_at(values, first), total);
     }
     return total;
   }
@@ -54,7 +66,7 @@ struct Stencil {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       const auto first = dofs.dof(nodes[i], 0);
       for (int c = 0; c < components; ++c)
-        values[first + c] += weight(static_cast<Eigen::Index>(i), c) * force[c];
+        values[first + c] += force_on(i, c, force);
     }
   }
 
@@ -65,7 +77,26 @@ struct Stencil {
     for (std::size_t i = 0; i < nodes.size(); ++i)
       for (int c = 0; c < components; ++c)
         if (const int at = number[static_cast<std::size_t>(dofs.dof(nodes[i], c))]; at >= 0)
-          values[at] += weight(static_cast<Eigen::Index>(i), c) * force[c];
+          values[at] += force_on(i, c, force);
+  }
+
+private:
+  Eigen::Vector3d value_at(const Eigen::VectorXd& values, int first) const {
+    Eigen::Vector3d value(0, 0, 0);
+    for (int c = 0; c < components; ++c)
+      value[c] = values[first + c];
+    return value;
+  }
+  void add_turning(std::size_t node, const Eigen::Vector3d& value, Eigen::Vector3d& total) const {
+    for (int c = 0; c < 3; ++c)
+      for (int of = 0; of < 3; ++of)
+        total[c] += turning[node](c, of) * value[of];
+  }
+  double force_on(std::size_t node, int component, const Eigen::Vector3d& force) const {
+    double sum = weight(static_cast<Eigen::Index>(node), component) * force[component];
+    for (int c = 0; c < 3 && !turning.empty(); ++c)
+      sum += turning[node](c, component) * force[c];
+    return sum;
   }
 };
 

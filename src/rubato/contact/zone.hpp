@@ -34,6 +34,13 @@ struct AxisPressure {
   std::array<double, 2> weights{};
 };
 
+/// A point of a zone and its part of the area of a node that several zones share.
+struct PointShare {
+  std::size_t zone = 0; ///< of the model
+  std::size_t point = 0;
+  double area = 0; ///< of the point's own faces [area]
+};
+
 /// Where contact is enforced. A slave node shared by several faces carries one point whose weight is the sum
 /// of theirs: its displacement, multiplier and master face are the same seen from each of them.
 struct SlavePoint {
@@ -46,6 +53,9 @@ struct SlavePoint {
   double area = 0;                    ///< quadrature weight × undeformed Jacobian [area]
   double weight = 0; ///< what tractions are multiplied with: the area, or 1 for nodal methods
   bool excluded = false;
+  /// Of a node that several zones share before the same master: the points that this one represents, itself
+  /// included, whose areas its own area sums (shared_nodes.hpp). Empty of all others.
+  std::vector<PointShare> shares;
   int node_position = -1; ///< position in the slave surface's nodes when the point stands on a node, else −1
   /// Of a node on the axis of revolution whose shape function has no integral there.
   std::optional<AxisPressure> axis_pressure;
@@ -73,6 +83,9 @@ struct Zone {
   std::optional<mortar::SlaveReference> mortar;
   /// Components of the slave's nodes that supports hold, of mortar and ties: one a node, or none.
   std::vector<mortar::HeldComponents> held;
+
+  /// Of a tie: whether the gap turns by finite rotations, as bodies of finite strain do.
+  bool finite_rotations = false;
 
   double begin = 0; ///< the first instant of the run
 

@@ -46,6 +46,9 @@ struct ZoneState {
   std::vector<double> lifts;                     ///< PointEvaluation::lift of each point; none before a step
   PointForces pressing_forces;                   ///< likewise, of an obstacle
   ObstacleWork obstacle_work;                    ///< in the step
+  /// Four numbers a point, for points whose dual function receivers have: status and tangential traction
+  /// [force/area], means of the receivers (dropped_nodes.hpp). Empty where there is no such point.
+  Eigen::VectorXd of_receivers;
 
   bool operator==(const ZoneState&) const = default;
 };

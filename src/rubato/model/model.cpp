@@ -23,6 +23,7 @@
 #include "rubato/model/large_contact.hpp"
 #include "rubato/model/model_forces.hpp"
 #include "rubato/model/node_label.hpp"
+#include "rubato/model/relations.hpp"
 #include "rubato/model/rigid_motions.hpp"
 #include "rubato/model/rigid_sides.hpp"
 #include "rubato/model/shared_nodes_note.hpp"
@@ -175,6 +176,7 @@ Model lay_out(const study::Study& asked, mesh::Mesh mesh, std::vector<PreloadedC
     model.notes.push_back(*note);
   std::ranges::move(notes_on_rigid_slaves(model), std::back_inserter(model.notes));
   std::ranges::move(notes_on_coarse_slaves(model), std::back_inserter(model.notes));
+  std::ranges::move(notes_on_tied_gaps(model), std::back_inserter(model.notes));
   auto cells = examine_formulations(model);
   std::ranges::move(cells.notes, std::back_inserter(model.notes));
   model.locking_materials = cells.locking;

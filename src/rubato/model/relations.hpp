@@ -58,6 +58,8 @@ void add_preload(const Parts& parts, const study::Preload& preload, const Preloa
 /// Adds what a tie says of its nodes, with multipliers: the way of explicit runs, whose steps solve for no
 /// multipliers of contact.
 void add_tie(const Parts& parts, const contact::Zone& zone, Equations& equations);
+/// Notes on ties over a gap whose relations keep the linearised rotation though bodies turn: explicit runs.
+std::vector<std::string> notes_on_tied_gaps(const Model& model);
 /// Adds a relation.
 void add_relation(const Parts& parts, const study::Relation& relation, Equations& equations,
                   std::vector<Fault>& faults);

@@ -376,8 +376,25 @@ void RigidMotions::add_point(const contact::Zone& zone, const contact::SlavePoin
     for (std::size_t i = 0; i < kinematics.stencil.nodes.size(); ++i)
       linalg::add_scaled(kinematics.stencil.weights[static_cast<Index>(i)],
                          row(kinematics.stencil.nodes[i], direction), relative);
+    if (zone.settings.tie)
+      carry_gap(kinematics, direction, relative);
     add_row(relative);
   }
+}
+
+/// The gap of a tie turns with the master: the master's motion counts where the slave's point is.
+void RigidMotions::carry_gap(const contact::Kinematics& kinematics, const Vector3d& direction,
+                             Eigen::VectorXd& relative) const {
+  const int body = kinematics.stencil.nodes.empty() ? -1 : bodies_.of(kinematics.stencil.nodes.back());
+  if (body < 0 || modes_ == 1)
+    return;
+  const auto gap = kinematics.stencil.sum(
+      [&](NodeIndex node) { return model_.mesh.points[static_cast<std::size_t>(node)]; });
+  const auto turn = contact::cross(contact::scaled(1 / size_, gap), direction);
+  const int components = model_.dofs.components;
+  const Index first = static_cast<Index>(body) * modes_;
+  for (Index a = components == 3 ? 0 : 2; a < 3; ++a)
+    relative[first + (components == 3 ? 3 + a : a)] -= turn[a];
 }
 
 RigidMotion RigidMotions::motion_of(int body, const Eigen::VectorXd& values) const {

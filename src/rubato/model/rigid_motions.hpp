@@ -2,6 +2,7 @@
 /// The rigid motions of the bodies of a model, and what resists them: supports, springs, contact.
 #pragma once
 
+#include "rubato/contact/kinematics.hpp"
 #include "rubato/contact/pairing.hpp"
 #include "rubato/model/bodies.hpp"
 #include "rubato/model/fwd.hpp"
@@ -64,6 +65,8 @@ private:
   Eigen::VectorXd row(mesh::NodeIndex node, const Eigen::Vector3d& direction) const;
   void add_point(const contact::Zone& zone, const contact::SlavePoint& point, const contact::Pair& pair,
                  const contact::Configuration& configuration);
+  void carry_gap(const contact::Kinematics& kinematics, const Eigen::Vector3d& direction,
+                 Eigen::VectorXd& relative) const;
   int body_of_dof(int dof) const;
   Eigen::VectorXd row_of_dof(int dof) const;
   Eigen::MatrixXd block_of(int body) const;

@@ -2,6 +2,7 @@
 // Ties as relations.
 #include "rubato/contact/tie.hpp"
 #include "rubato/contact/zone.hpp"
+#include "rubato/model/model.hpp"
 #include "rubato/model/relations.hpp"
 
 #include <fmt/format.h>
@@ -14,6 +15,8 @@ namespace {
 
 /// Weights below this part of the largest are rounding of integrals: as terms they would couple far nodes.
 constexpr double weight_rounding = 1e-13;
+/// Narrower gaps, in edges of the zone, are those of facets and of coordinates in files.
+constexpr double noted_gap = 1e-3;
 
 /// What a tied point says of one component. The slave's own node comes first: it is solved for.
 std::vector<constraint::Term> terms_of_tie(const Parts& parts, const contact::Stencil& stencil,
@@ -21,9 +24,13 @@ std::vector<constraint::Term> terms_of_tie(const Parts& parts, const contact::St
   std::vector<constraint::Term> terms;
   double largest = 0;
   for (std::size_t i = 0; i < stencil.nodes.size(); ++i) {
-    const double weight = stencil.weight(static_cast<Eigen::Index>(i), component);
-    terms.push_back({parts.dofs.dof(stencil.nodes[i], component), weight});
-    largest = std::max(largest, std::abs(weight));
+    for (int of = 0; of < stencil.components; ++of) {
+      const double weight = stencil.weight(static_cast<Eigen::Index>(i), component, of);
+      if (of != component && weight == 0)
+        continue;
+      terms.push_back({parts.dofs.dof(stencil.nodes[i], of), weight});
+      largest = std::max(largest, std::abs(weight));
+    }
   }
   std::erase_if(terms,
                 [&](const auto& term) { return std::abs(term.coefficient) <= weight_rounding * largest; });
@@ -47,6 +54,30 @@ void add_tie(const Parts& parts, const contact::Zone& zone, Equations& equations
     equations.list.push_back(
         {terms_of_tie(parts, points[point].kinematics->stencil, slave, component), {}, source, true});
   });
+}
+
+std::vector<std::string> notes_on_tied_gaps(const Model& model) {
+  std::vector<std::string> notes;
+  if (!study::is_explicit(model.study.time.scheme))
+    return notes;
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.dofs.dof_count));
+  for (const auto& zone : model.zones) {
+    if (!zone.finite_rotations)
+      continue;
+    const auto ties =
+        contact::make_ties(zone, {&model.mesh, &model.dofs, &rest, &rest, zone.begin, zone.begin});
+    double widest = 0;
+    for (const auto& gaps : ties.gaps)
+      for (const auto& gap : gaps)
+        widest = std::max(widest, gap.parts.norm());
+    if (widest > noted_gap * zone.edge())
+      notes.push_back(fmt::format(
+          "contact.{}.tie: surfaces are tied over a gap of up to {:.3g}, which turns by linearised "
+          "rotations in central_difference: a turn of the joint by φ leaves an error of φ²/2 of the gap. "
+          "Surfaces that touch, or an implicit scheme, have none",
+          zone.settings.name, widest));
+  }
+  return notes;
 }
 
 } // namespace rubato::model

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/integration.hpp"
+#include "rubato/contact/shared_nodes.hpp"
 #include "rubato/contact/small_vectors.hpp"
 #include "rubato/core/naming.hpp"
 #include "rubato/mesh/orientation.hpp"
@@ -12,6 +13,7 @@
 #include "rubato/model/touching_parts.hpp"
 #include "rubato/model/zone_checks.hpp"
 #include "rubato/study/contact_methods.hpp"
+#include "rubato/study/formulation.hpp"
 
 #include <fmt/format.h>
 
@@ -125,6 +127,7 @@ public:
       for (auto& chosen : chosen_zones(settings))
         add(std::move(chosen));
     }
+    contact::join_shared_points(zones_);
     return std::move(zones_);
   }
 
@@ -271,6 +274,7 @@ private:
     check_offset(zone, study_.time, faults_);
     zone.friction_shares = friction_shares(zone, "contact." + at_hand_ + ".friction", faults_);
     zone.begin = study_.time.begin;
+    zone.finite_rotations = zone.settings.tie && study::takes_large_rotations(study_);
     zone.held = held_components(zone.slave, dofs_, reduction_);
     zone.choice = std::move(choice);
     if (zone.settings.tie)

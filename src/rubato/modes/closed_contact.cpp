@@ -83,10 +83,11 @@ private:
       for (int c = 0; c < stencil.components; ++c) {
         const int dof = model_.dofs.dof(stencil.nodes[i], c);
         const auto node = static_cast<Index>(i);
-        if (holds_all(zone))
-          entries_.emplace_back(dof, column + c, factor * stencil.weight(node, c));
-        else
+        if (!holds_all(zone))
           entries_.emplace_back(dof, column, factor * kinematics.gap_weight(node, c) * kinematics.normal[c]);
+        for (int row = 0; row < stencil.components && holds_all(zone); ++row)
+          if (const double weight = stencil.weight(node, row, c); row == c || weight != 0)
+            entries_.emplace_back(dof, column + row, factor * weight);
       }
     columns_ = std::max(columns_, column + directions(zone));
   }

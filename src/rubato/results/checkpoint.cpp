@@ -33,10 +33,9 @@ template <class Visit> void each_number(PointOutcome& outcome, const Visit& visi
     visit(*x);
   for (auto& x : outcome.slip)
     visit(x);
-  for (auto& x : outcome.normal)
-    visit(x);
-  for (auto& x : outcome.tangential)
-    visit(x);
+  for (auto* force : {&outcome.normal, &outcome.tangential})
+    for (auto& x : *force)
+      visit(x);
 }
 
 template <class Visit> void each_number(contact::FrictionHistory& history, const Visit& visit) {
@@ -303,6 +302,7 @@ template <class Archive> void exchange(Archive& archive, step::State& state) {
     archive.table(at + "outcomes", state.zones[z].outcomes);
     archive.table(at + "friction_history", state.zones[z].friction_history);
     archive.numbers(at + "lifts", state.zones[z].lifts);
+    archive.few_numbers(at + "of_receivers", state.zones[z].of_receivers);
     exchange(archive, at + "friction_forces/", state.zones[z].friction_forces);
     exchange(archive, at + "pressing_forces/", state.zones[z].pressing_forces);
     archive.number(at + "obstacle_work/normal", state.zones[z].obstacle_work.normal);

@@ -2,6 +2,7 @@
 #include "rubato/results/contact_table.hpp"
 
 #include "rubato/contact/arc_length.hpp"
+#include "rubato/contact/dropped_nodes.hpp"
 #include "rubato/contact/pairing.hpp"
 #include "rubato/mesh/names.hpp"
 #include "rubato/model/model.hpp"
@@ -89,15 +90,16 @@ std::string ContactTable::line(const step::State& state, std::size_t point) cons
   for (int i = 0; i < components; ++i)
     add(place[i]);
   add(outcome.pressure);
+  const auto traction = contact::reported_traction(zone, point);
   for (int i = 0; i < components; ++i)
-    add(outcome.area > 0 ? outcome.tangential[i] / outcome.area : 0.0);
+    add(traction[i]);
   if (std::isfinite(outcome.gap))
     add(outcome.gap);
   else
     line += ',';
   add(history.slip);
   line += ',';
-  line += to_string(zone.status[point]);
+  line += to_string(contact::reported_status(zone, point));
   add(history.work);
   add(outcome.area);
   return line;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/results/nodal_fields.hpp"
 
+#include "rubato/contact/dropped_nodes.hpp"
 #include "rubato/contact/nodal_pressure.hpp"
 #include "rubato/domain/recovery.hpp"
 #include "rubato/model/model.hpp"
@@ -50,7 +51,7 @@ mesh::NodeIndex node_of(const contact::SlavePoint& point) {
 /// Of several points on one node, those of sides of an edge or of zones, the one tells that touches, else one
 /// that faces something.
 int says_most(const contact::ZoneState& state, std::size_t point) {
-  if (state.status[point] != Status::open)
+  if (contact::reported_status(state, point) != Status::open)
     return 2;
   return std::isfinite(state.outcomes[point].gap) ? 1 : 0;
 }
@@ -92,7 +93,7 @@ std::vector<OwnedField> contact_fields(const Model& model, const step::State& no
         continue;
       told[node] = says_most(state, i);
       gap.values[node] = std::isfinite(outcome.gap) ? outcome.gap : 0.0;
-      status.values[node] = static_cast<double>(state.status[i]);
+      status.values[node] = static_cast<double>(contact::reported_status(state, i));
       for (int a = 0; state.status[i] != Status::open && a < tangents; ++a)
         slip.values[node * static_cast<std::size_t>(tangents) + static_cast<std::size_t>(a)] =
             outcome.slip[a];

@@ -212,6 +212,24 @@ private:
       add_weighted(points, weighted, &Point::slave_values, k, part_.slave);
     for (int l = 0; l < master_.faces[at(range.master_face)].node_count; ++l)
       add_weighted(points, weighted, &Point::master_values, l, overlap.master);
+    if (options_.gradients)
+      add_gradients(range.master_face, points, weighted);
+  }
+
+  void add_gradients(int master_face, std::span<const Point> points,
+                     std::span<const Eigen::Vector4d> weighted) {
+    auto& sums = work_.gradients.emplace_back();
+    for (auto& sum : sums)
+      sum.setZero();
+    const auto& placed = masters_[at(master_face)];
+    const int nodes = master_.faces[at(master_face)].node_count;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      const auto gradients = surface_gradients(placed.type, placed.x, points[p].eta);
+      for (std::size_t c = 0; c < sums.size(); ++c)
+        for (int l = 0; l < nodes; ++l)
+          for (int i = 0; i < 4; ++i)
+            sums[c](i, l) += gradients[at(l)][static_cast<Eigen::Index>(c)] * weighted[p][i];
+    }
   }
 
   const Surface& slave_;
@@ -290,6 +308,8 @@ void integrate(const Surface& slave, const SlaveReference& reference, const Surf
   if (!options.mean_normals)
     set_directions(slave, reference, slave_x, options, work, into);
   fill_stencils(slave, &master, reference.dimension, work, into);
+  if (options.gradients)
+    fill_gradients(master, work, into);
   measure_gaps(slave, master, slave_x, master_x, into);
 }
 

@@ -52,6 +52,8 @@ struct Options {
   bool mean_normals = false;
   /// Whether all of the master within reach counts, not only what is nearest (nearest.hpp).
   bool all_layers = false;
+  /// Whether gradients of the master's shape functions are integrated as well.
+  bool gradients = false;
   /// That work on slave faces between two meshes; may_pair is asked by several at a time. Operators do not
   /// depend on their number.
   Threads threads = {};
@@ -80,6 +82,9 @@ struct Node {
   double lift_slope = 0;
   /// Of a gap that is lifted: δg_j = n_j·Σ_i gap_weights_i δx_i, nodes as in the stencil; else empty.
   Eigen::VectorXd gap_weights;
+  /// ∫Φ_j ∇N_l / w_j along the master's surface, a row a node of the stencil, 0 on slave nodes; empty unless
+  /// asked for [1/length].
+  Eigen::Matrix<double, Eigen::Dynamic, 3> gradients;
   std::vector<int> receivers; ///< of a dropped node: positions of the kept nodes that have its function
 
   bool kept() const { return cover == Cover::kept; }

@@ -91,11 +91,13 @@ struct Covering {
 
   std::vector<Part> parts; ///< those that are covered, face by face
   std::vector<Overlap> overlaps;
+  std::vector<std::array<Products, 3>> gradients; ///< ∫H_i ∇N_l of each overlap, or none
   std::vector<SeenProducts> seen;
 
   void clear_parts() {
     parts.clear();
     overlaps.clear();
+    gradients.clear();
     seen.clear();
   }
   /// Takes over the parts of faces that follow, seen before no obstacle.
@@ -148,6 +150,9 @@ void share_functions(const Surface& slave, const SlaveReference& reference,
 /// Fills the stencils from the shares. `master` may be null: there is an obstacle.
 void fill_stencils(const Surface& slave, const Surface* master, int components, Workspace::Impl& workspace,
                    Operators& into);
+
+/// Fills the gradients of nodes whose stencils are there, from the shares.
+void fill_gradients(const Surface& master, Workspace::Impl& workspace, Operators& into);
 
 double reach_of(const Options& options, const SlaveReference& reference);
 

@@ -273,6 +273,7 @@ double full_area(const SlaveReference& reference, const Part& part) {
 void Covering::append(const Covering& next) {
   const auto first = overlaps.size();
   overlaps.insert(overlaps.end(), next.overlaps.begin(), next.overlaps.end());
+  gradients.insert(gradients.end(), next.gradients.begin(), next.gradients.end());
   for (auto part : next.parts) {
     part.first_overlap += first;
     part.last_overlap += first;
@@ -372,6 +373,28 @@ void fill_stencils(const Surface& slave, const Surface* master, int components, 
       take_sums(*master, scale, work.master_sums, node, of_slave);
     if (master == &slave)
       node.slave_nodes = merge_repeats(of_slave, node);
+  }
+}
+
+void fill_gradients(const Surface& master, Workspace::Impl& work, Operators& into) {
+  for (std::size_t j = 0; j < into.nodes.size(); ++j) {
+    auto& node = into.nodes[j];
+    const auto first = node.stencil.nodes.begin() + node.slave_nodes;
+    node.gradients.setZero(static_cast<Eigen::Index>(node.stencil.nodes.size()), 3);
+    for (auto s = work.first_share[j]; s < work.first_share[j + 1] && node.weight > 0; ++s) {
+      const auto& share = work.shares[at(work.shares_by_node[s])];
+      const auto& part = work.parts[at(share.part)];
+      for (std::size_t o = part.first_overlap; o < part.last_overlap; ++o) {
+        const auto& face = master.faces[at(work.overlaps[o].master_face)];
+        for (int l = 0; l < face.node_count; ++l) {
+          const auto found = std::find(first, node.stencil.nodes.end(), face.nodes[at(l)]);
+          for (int c = 0; c < 3 && found != node.stencil.nodes.end(); ++c)
+            for (int i = 0; i < 4; ++i)
+              node.gradients(found - node.stencil.nodes.begin(), c) +=
+                  share.row[i] * work.gradients[o][at(c)](i, l) / node.weight;
+        }
+      }
+    }
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/step/common/contact_evaluator.hpp"
 
+#include "rubato/contact/dropped_nodes.hpp"
 #include "rubato/contact/spring_friction.hpp"
 #include "rubato/contact/springs.hpp"
 #include "rubato/contact/velocity_frames.hpp"
@@ -353,6 +354,10 @@ void ContactEvaluator::finish(const Frozen& frozen, const ContactIterate& iterat
   for (std::size_t z = 0; z < iterate.status.size(); ++z) {
     trial.zones[z].status = iterate.status[z];
     trial.zones[z].outcomes = contact::outcomes(law_of(z, frozen), iterate.points[z], iterate.status[z]);
+  }
+  contact::distribute_shared_points(model_.zones, trial.zones);
+  for (std::size_t z = 0; z < iterate.status.size(); ++z) {
+    contact::report_dropped_nodes(iterate.points[z], iterate.status[z], trial.zones[z]);
     contact::add_friction_force(iterate.points[z], trial.zones[z].outcomes, model_.dofs,
                                 trial.friction_force);
     trial.moved_out.push_back(moved_out(z, iterate, at_end(trial)));
