@@ -47,6 +47,27 @@ TEST(DifferenceOfWays, IsExplainedWhereRefinementHalvesIt) {
   EXPECT_FALSE(comparison.explained());
 }
 
+double last_quarter(const WayResult& result, const std::string& name) {
+  for (const auto& kind : result.kinds)
+    for (const auto& quantity : kind.quantities)
+      if (quantity.name == name)
+        return quantity.mean.back();
+  ADD_FAILURE() << "no " << name;
+  return 0;
+}
+
+/// A crowned block between a rail and a plate, which nothing but contact holds, is pressed as hard by the
+/// whole system.
+TEST(WholeSystem, KeepsARollerInItsPlace) {
+  const auto study = way_studies(seed, 4, 1).front();
+  ASSERT_EQ(study.family, "rollers");
+  const auto whole = run_way(study, {"full", {{"solver", "full"}}, false}, 1);
+  const auto condensed = run_way(study, {"deck", {}, false}, 1);
+  ASSERT_EQ(whole.failure, "");
+  for (const auto* force : {"zone_above.y", "zone_below.y"})
+    EXPECT_NEAR(last_quarter(whole, force) / last_quarter(condensed, force), 1, 1e-3) << force;
+}
+
 class StudyInWays : public testing::TestWithParam<int> {};
 
 /// The whole system and the condensed one solve the same equations; other ways agree to 2 % or approach each

@@ -42,9 +42,9 @@ struct Stencil {
       const Eigen::Vector3d of_node = value(nodes[i]);
       for (int c = 0; c < 3; ++c)
         total[c] += weight(static_cast<Eigen::Index>(i), c) * of_node[c];
-      if (!turning.empty())
-        add_turning(i, of_node, total);
     }
+    for (std::size_t i = 0; i < turning.size(); ++i)
+      add_turning(i, value(nodes[i]), total);
     return total;
   }
 
@@ -55,9 +55,9 @@ struct Stencil {
       const auto first = dofs.dof(nodes[i], 0);
       for (int c = 0; c < components; ++c)
         total[c] += weight(static_cast<Eigen::Index>(i), c) * values[first + c];
-      if (!turning.empty())
-        add_turning(i, value_at(values, first), total);
     }
+    for (std::size_t i = 0; i < turning.size(); ++i)
+      add_turning(i, value_at(values, dofs.dof(nodes[i], 0)), total);
     return total;
   }
 
@@ -93,10 +93,8 @@ private:
         total[c] += turning[node](c, of) * value[of];
   }
   double force_on(std::size_t node, int component, const Eigen::Vector3d& force) const {
-    double sum = weight(static_cast<Eigen::Index>(node), component) * force[component];
-    for (int c = 0; c < 3 && !turning.empty(); ++c)
-      sum += turning[node](c, component) * force[c];
-    return sum;
+    const double own = weight(static_cast<Eigen::Index>(node), component) * force[component];
+    return turning.empty() ? own : own + turning[node].col(component).dot(force);
   }
 };
 

@@ -152,7 +152,7 @@ std::vector<results::Plausibility> EnergyWatch::checks() const {
       {"energy_balance", record_.largest_balance / record_.largest, unexplained_energy, 0, "",
        "the ledger leaves this part of the largest energy unexplained; expected a smaller "
        "'newton.residual'"}};
-  if (friction_.taken > 0 || friction_.given > 0)
+  if (rubs_)
     checks.push_back({"friction_gain", friction_.given / record_.largest, given_by_friction, friction_.t, "",
                       "friction gave back this part of the largest energy, though it only takes: its forces "
                       "turned within steps; expected a shorter 'time.step', or 'scheme: moreau_jean'"});

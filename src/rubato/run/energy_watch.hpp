@@ -16,9 +16,9 @@ namespace rubato::run {
 /// a warning.
 class EnergyWatch {
 public:
-  /// Everything must outlive this. `record`: of what was followed before.
-  EnergyWatch(const std::string& run, const Watch& watch, const step::EnergyRecord& record)
-      : run_(run), watch_(watch), record_(record) {}
+  /// Everything must outlive this. `record`: of what was followed before; `rubs`: there is friction.
+  EnergyWatch(const std::string& run, const Watch& watch, const step::EnergyRecord& record, bool rubs = false)
+      : run_(run), watch_(watch), record_(record), rubs_(rubs) {}
 
   /// `giver`: "contact.z" of the zone whose pressures have given most, or empty.
   void note(double t, const step::EnergyLedger& ledger, const std::string& giver = "");
@@ -36,6 +36,7 @@ private:
   const std::string& run_;
   const Watch& watch_;
   step::EnergyRecord record_;
+  bool rubs_;
   step::EnergyLedger now_;
   std::string giver_;
   double gained_since_ = 0;

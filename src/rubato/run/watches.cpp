@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -21,6 +22,10 @@ constexpr double added_mass_limit = 0.05;
 
 void append(std::vector<Plausibility>& all, const std::vector<Plausibility>& more) {
   all.insert(all.end(), more.begin(), more.end());
+}
+
+bool rubs(const model::Model& model) {
+  return std::ranges::any_of(model.zones, [](const auto& zone) { return zone.settings.friction > 0; });
 }
 
 /// The checks that the model decides before the first step. Notes of the model warn of its cells.
@@ -40,9 +45,10 @@ std::vector<Plausibility> checks_of(const model::Model& model) {
 
 Watches::Watches(const model::Model& model, const Watch& watch, const step::EnergyRecord& record,
                  std::vector<Plausibility> former)
-    : model_(model), watch_(watch), former_(std::move(former)), energy_(model.study.name, watch, record),
-      overlaps_(model, watch), recall_(model, watch), turns_(model, watch), strains_(model, watch),
-      springs_(model, watch), balance_(model), work_(model), pressures_(model), waves_(model) {
+    : model_(model), watch_(watch), former_(std::move(former)),
+      energy_(model.study.name, watch, record, rubs(model)), overlaps_(model, watch), recall_(model, watch),
+      turns_(model, watch), strains_(model, watch), springs_(model, watch), balance_(model), work_(model),
+      pressures_(model), waves_(model) {
   results::keep_larger(former_, checks_of(model));
 }
 

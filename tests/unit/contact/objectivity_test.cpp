@@ -92,6 +92,14 @@ std::vector<PointEvaluation> measured(const test::BuiltModel& model, const Vecto
   return points;
 }
 
+/// Of a stencil, by node of the mesh.
+VectorXd weights_of(const Stencil& stencil, int nodes) {
+  VectorXd weights = VectorXd::Zero(nodes);
+  for (std::size_t i = 0; i < stencil.nodes.size(); ++i)
+    weights[stencil.nodes[i]] += stencil.weights[static_cast<Eigen::Index>(i)];
+  return weights;
+}
+
 Vector3d slip_of(const Kinematics& k) {
   return k.tangents.col(0) * k.slip[0] + k.tangents.col(1) * (k.parametric_dimension > 1 ? k.slip[1] : 0);
 }
@@ -99,7 +107,7 @@ Vector3d slip_of(const Kinematics& k) {
 /// How many points face the other side. Their gaps stay, their normals and slips turn; forces on both sides
 /// are in balance.
 int expect_turned(const std::vector<PointEvaluation>& before, const std::vector<PointEvaluation>& after,
-                  const Matrix3d& rotation) {
+                  const Matrix3d& rotation, int nodes) {
   int facing = 0;
   for (std::size_t i = 0; i < before.size(); ++i) {
     EXPECT_EQ(before[i].kinematics.has_value(), after[i].kinematics.has_value()) << i;
@@ -111,8 +119,7 @@ int expect_turned(const std::vector<PointEvaluation>& before, const std::vector<
     EXPECT_NEAR(a.gap, b.gap, 1e-12) << i;
     EXPECT_LE((rotation * a.normal - b.normal).norm(), 1e-11) << i;
     EXPECT_LE((rotation * slip_of(a) - slip_of(b)).norm(), 1e-11) << i;
-    EXPECT_EQ(a.stencil.nodes, b.stencil.nodes) << i;
-    EXPECT_LE((a.stencil.weights - b.stencil.weights).norm(), 1e-11) << i;
+    EXPECT_LE((weights_of(a.stencil, nodes) - weights_of(b.stencil, nodes)).norm(), 1e-11) << i;
     EXPECT_NEAR(b.stencil.weights.sum(), 0, 1e-13) << i;
   }
   return facing;
@@ -133,7 +140,7 @@ TEST_P(Turned, ContactOfEdgesTurnsWithTheBodies) {
           const auto start = pressed(model, tilt, 0), u = pressed(model, tilt, 0.07);
           const auto before = measured(model, start, u);
           const auto after = measured(model, turned(model, start, rotation), turned(model, u, rotation));
-          EXPECT_GT(expect_turned(before, after, rotation), 0);
+          EXPECT_GT(expect_turned(before, after, rotation, static_cast<int>(model.mesh.points.size())), 0);
         }
     }
 }

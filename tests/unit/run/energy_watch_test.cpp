@@ -66,6 +66,27 @@ TEST_F(EnergyOfARun, NamesTheZoneWhosePressuresGave) {
       << warnings_[0];
 }
 
+/// The balance closes, as friction is counted with what bodies have lost.
+TEST_F(EnergyOfARun, IsCheckedForWhatFrictionGivesBack) {
+  EnergyWatch rubbing(name_, watch_, {}, true);
+  double t = 0;
+  for (const double friction : {0., 40., 25., 70., 45., 60.}) {
+    step::EnergyLedger ledger;
+    ledger.external_work = 1000;
+    ledger.friction = friction;
+    ledger.kinetic = 1000 - friction;
+    rubbing.note(++t, ledger);
+  }
+  const auto is_friction = [](const auto& check) { return check.name == "friction_gain"; };
+  const auto checks = rubbing.checks();
+  const auto found = std::ranges::find_if(checks, is_friction);
+  ASSERT_NE(found, checks.end());
+  EXPECT_DOUBLE_EQ(found->value, 25.0 / 1000);
+  EXPECT_EQ(found->t, 5);
+  EXPECT_FALSE(found->passes());
+  EXPECT_TRUE(std::ranges::none_of(energy_.checks(), is_friction));
+}
+
 TEST_F(EnergyOfARun, IsWarnedOfOnceWhenHourglassesHoldMuchOfIt) {
   const auto note_hourglass = [&](double strain, double plastic, double hourglass) {
     step::EnergyLedger ledger;
