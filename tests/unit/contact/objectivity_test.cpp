@@ -39,14 +39,16 @@ std::string deck_of(const Scene& scene) {
                                "cells: {}, sides: {{{}}}}}\n",
                                name, from, to, divisions, scene.cells, sides);
   };
+  const char* held = solid ? "x, y, z" : "x, y";
   return fmt::format(
       "mesh:\n  generate:\n{}{}physics: {}\nmaterials: {{steel: {{young: 1000, poisson: 0.3}}}}\n"
-      "supports: [{{on: ground, fix: [x, y]}}, {{on: held, fix: [x, y]}}]\n"
+      "supports: [{{on: ground, fix: [{}]}}, {{on: held, fix: [{}]}}]\n"
       "contact: {{joint: {{slave: {}, master: {}, friction: 0.2, integration: {}}}}}\n"
       "time: {{scheme: static, step: 1, end: 1}}\n",
       body("rail", "0, 0", "4, 1", "5, 1", "bottom: ground, top: above"),
       body("block", "1, 1", "2.5, 2", "2, 1", "bottom: below, top: held"), solid ? "solid" : "plane_strain",
-      scene.block_is_slave ? "below" : "above", scene.block_is_slave ? "above" : "below", scene.integration);
+      held, held, scene.block_is_slave ? "below" : "above", scene.block_is_slave ? "above" : "below",
+      scene.integration);
 }
 
 /// The block tilted about one of its edges, which it presses into the rail; both with a random strain.
@@ -148,7 +150,7 @@ TEST_P(Turned, ContactOfEdgesTurnsWithTheBodies) {
 INSTANTIATE_TEST_SUITE_P(Cells, Turned,
                          testing::Values("quad4", "quad8", "quad9", "tria3", "tria6", "tria7", "hexa8",
                                          "hexa20", "hexa27", "tetra4", "tetra10", "penta6", "penta15"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& chosen) { return std::string(chosen.param); });
 
 } // namespace
 } // namespace rubato::contact::objectivity_test
