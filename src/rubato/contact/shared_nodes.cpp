@@ -122,6 +122,8 @@ void distribute_shared_points(std::span<const Zone> zones, std::span<ZoneState> 
   for (std::size_t z = 0; z < zones.size(); ++z)
     for (std::size_t i = 0; i < zones[z].points.size(); ++i) {
       const auto& point = zones[z].points[i];
+      if (point.shares.empty())
+        continue;
       const auto whole = states[z].outcomes[i];
       for (const auto& share : point.shares) {
         const double part = share.area / point.area;
@@ -135,9 +137,8 @@ void distribute_shared_points(std::span<const Zone> zones, std::span<ZoneState> 
     }
 }
 
-PointOutcome whole_outcome(const Zone& zone, std::size_t point, PointOutcome outcome) {
-  const auto& of = zone.points[point];
-  return of.shares.empty() || !(outcome.area > 0) ? outcome : part_of(outcome, of.area / outcome.area);
+PointOutcome whole_outcome(const Zone& zone, std::size_t point, const PointOutcome& outcome) {
+  return outcome.area > 0 ? part_of(outcome, zone.points[point].area / outcome.area) : outcome;
 }
 
 std::vector<std::vector<PointOfZone>> points_of_shared_nodes(std::span<const Zone> zones) {

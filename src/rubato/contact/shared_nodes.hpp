@@ -49,7 +49,7 @@ void join_shared_points(std::span<Zone> zones);
 void distribute_shared_points(std::span<const Zone> zones, std::span<ZoneState> states);
 
 /// What a representing point does for all points that it represents, from its own part.
-PointOutcome whole_outcome(const Zone& zone, std::size_t point, PointOutcome outcome);
+PointOutcome whole_outcome(const Zone& zone, std::size_t point, const PointOutcome& outcome);
 
 /// What is tangential to the surface of a point and to those with these normals, unit vectors. Normals within
 /// 10 degrees of the point's, its own too, count as the same surface.

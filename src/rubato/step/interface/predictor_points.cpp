@@ -156,8 +156,10 @@ void take_points(const Model& model, const ContactEvaluator& side, const Frozen&
       predicted.tangential_compliance =
           averaged ? averaged_friction_compliance * predicted.point_compliance : 0;
       predicted.averaged_compliance = averaged ? averaged_compliance * predicted.point_compliance : 0.0;
-      set_forces(contact::whole_outcome(zone, i, state.zones[z].outcomes[i]), *evaluation.kinematics,
-                 predicted);
+      if (const auto& outcome = state.zones[z].outcomes[i]; zone.points[i].shares.empty())
+        set_forces(outcome, *evaluation.kinematics, predicted);
+      else
+        set_forces(contact::whole_outcome(zone, i, outcome), *evaluation.kinematics, predicted);
       follow_spring(law, evaluation, predicted);
       set_relations(model, compliance, *evaluation.kinematics, moved, predicted);
     }
