@@ -121,7 +121,7 @@ bool Comparison::explained() const {
   const auto shrinks = [](double size, double before) {
     return size >= 0 && size <= std::max(large_difference, shrinks_to * before);
   };
-  return shrinks(fine, coarse.size) || shrinks(finest, std::min(coarse.size, fine));
+  return shrinks(fine, coarse.size) || shrinks(finest, shrinks_to * coarse.size);
 }
 
 namespace {

@@ -45,6 +45,8 @@ std::string cause_of(const WayStudy& study, const Comparison& comparison) {
     return "kind of study 4: nothing tells where a roller stands before it is pressed";
   if (comparison.way == "explicit" && study.family == "wedges")
     return "kind of study 305: nodes that come onto the master from beyond its end keep their depth";
+  if (comparison.way == "nodes" && study.family == "punches")
+    return "kind of study 178: by nodes the error of coarse quadratic faces halves with the edges, later";
   for (const auto& [words, cause] : warned_causes)
     if (warns_of(comparison, words))
       return cause;

@@ -39,9 +39,9 @@ TEST(DifferenceOfWays, IsExplainedWhereRefinementHalvesIt) {
   EXPECT_TRUE(comparison.explained());
   comparison.fine = 0.09;
   EXPECT_FALSE(comparison.explained());
-  comparison.finest = 0.065;
-  EXPECT_FALSE(comparison.explained()) << "0.72 of the former";
-  comparison.finest = 0.06;
+  comparison.finest = 0.05;
+  EXPECT_FALSE(comparison.explained()) << "an error of first order has 0.49 or less after two halvings";
+  comparison.finest = 0.048;
   EXPECT_TRUE(comparison.explained());
   comparison.fine = comparison.finest = -1;
   EXPECT_FALSE(comparison.explained());

@@ -193,8 +193,8 @@ void write_way_entries(Page& page, const std::vector<WayEntry>& entries) {
       "counts as "
       "explained by refinement when, between the same two ways with edges and steps halved (level 2), it is "
       "at most "
-      "2 % or 0.7 of what it was, or else with edges and steps divided by four (level 4) at most 2 % or 0.7 "
-      "of both. `refined` compares levels 1 and 2, then 2 and 3, then 4 and 5. Warnings are those "
+      "2 % or 0.7 of what it was, or else with edges and steps divided by four (level 4) at most 2 % or 0.49 "
+      "of it. `refined` compares levels 1 and 2, then 2 and 3, then 4 and 5. Warnings are those "
       "of the "
       "two runs at level 1; the one on QUAD4 that are too stiff in bending is left out. Decks are left in "
       "`verification/second_way` of the build folder.");
