@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// What mortar nodes report that have no dual function of their own, because they are hardly covered: means
-/// of the receivers that have their function. Such a node has no force; its area is 0.
+/// Results of mortar nodes without a dual function of their own. The master covers too little of them.
+///
+/// Receivers are the nodes that have their function. A dropped node reports means of its receivers; its force
+/// and its area are 0.
 #pragma once
 
 #include "rubato/contact/enforcement.hpp"

@@ -12,21 +12,15 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// What the displacements of a node add to the components of the sum along a direction.
-double frozen_along(const Stencil& stencil, Eigen::Index node, const Vector3d& direction, int of) {
-  double sum = 0;
-  for (int i = 0; i < 3; ++i)
-    sum += direction[i] * stencil.weight(node, i, of);
-  return sum;
-}
-
-void vary_turning(Kinematics& k) {
-  for (Eigen::Index node = 0; node < k.stencil.weights.size(); ++node)
+/// Adds to the derivatives of gap and slip what the rotation of a tie's gap vector does.
+void add_turning_variations(Kinematics& k) {
+  for (std::size_t node = 0; node < k.stencil.turning.size(); ++node)
     for (int i = 0; i < k.stencil.components; ++i) {
-      const auto column = node * k.stencil.components + i;
-      k.d_gap[column] = frozen_along(k.stencil, node, k.normal, i);
+      const auto column = static_cast<Eigen::Index>(node) * k.stencil.components + i;
+      const auto turned = column_of(k.stencil.turning[node], i);
+      k.d_gap[column] += dot(k.normal, turned);
       for (int a = 0; a < k.parametric_dimension; ++a)
-        k.d_slip(a, column) = frozen_along(k.stencil, node, column_of(k.tangents, a), i);
+        k.d_slip(a, column) += dot(column_of(k.tangents, a), turned);
     }
 }
 
@@ -42,10 +36,6 @@ Kinematics with_frozen_frame(Kinematics k) {
   k.shape_slope.setZero(k.stencil.weights.size(), 2);
   k.d_gap.resize(unknowns);
   k.d_slip.setZero(2, unknowns);
-  if (!k.stencil.turning.empty()) {
-    vary_turning(k);
-    return k;
-  }
   for (Eigen::Index node = 0; node < k.stencil.weights.size(); ++node)
     for (int i = 0; i < k.stencil.components; ++i) {
       const auto column = node * k.stencil.components + i;
@@ -53,6 +43,7 @@ Kinematics with_frozen_frame(Kinematics k) {
       for (int a = 0; a < k.parametric_dimension; ++a)
         k.d_slip(a, column) = k.stencil.weight(node, i) * k.tangents(i, a);
     }
+  add_turning_variations(k);
   return k;
 }
 

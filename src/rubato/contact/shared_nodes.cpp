@@ -21,7 +21,7 @@ bool shares_nodes(const Zone& zone) {
   return zone.points_own_multipliers && !zone.settings.tie;
 }
 
-/// What two zones have to agree in for their points on one node to be one constraint.
+/// The settings that two zones must have in common: only then their points on one node are one constraint.
 study::ContactZone common_settings(study::ContactZone settings) {
   settings.name.clear();
   settings.slave.clear();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// The gap vector of a tie whose surfaces do not touch. The vector keeps its length and turns with the
-/// master, so that a rigid motion of both sides costs nothing (docs/theory/tied-gaps.md):
+/// master. So a rigid motion of both sides needs no force (docs/theory/tied-gaps.md).
 ///
 ///   a_β = Σ_l α_lβ x_l,   n = a₁ × a₂ / |a₁ × a₂|,   e₁ = a₁/|a₁|,   e₂ = n × e₁
 ///   G(x) = γ₁ e₁ + γ₂ e₂ + γ₃ n

@@ -87,9 +87,9 @@ void turn_to_middle(Discretisation& discretisation, const Configuration& start, 
       points[i] = std::move(turned[i]);
 }
 
-/// Counts the gap vector of a tie from where the step starts: rows of the middle times the displacements of
-/// the step are 0, so that the tie does no work and the gap keeps its length to second order. Rows times the
-/// velocity at the end would lose that: rows turn with every step.
+/// Counts the gap vector of a tie from where the step starts. Rows of the middle times the displacements of
+/// the step are then 0: the tie does no work, and the gap keeps its length to second order. Rows times the
+/// velocity at the end would not keep it, as rows turn with every step.
 void count_turning_from_start(const Configuration& start, Kinematics& k) {
   k.gap_origin = dot(k.normal, k.stencil.sum([&](auto node) { return start.position(node); }));
   k.gap = 0;

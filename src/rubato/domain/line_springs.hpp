@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 /// Springs and dashpots that act along the current line between two places (docs/theory/connectors.md).
 ///
-/// d = D + rows · u is the vector between the places, l its length, n = d/l its direction, e = l − |D| the
-/// elongation. A spring has the force N(e) n, a dashpot s(ė) n with ė = n · (rows · v).
+/// d = D + rows · u is the vector between the places, l its length and n = d/l its direction. The elongation
+/// is e = l − |D|. A spring has the force N(e) n, a dashpot s(ė) n with ė = n · (rows · v).
 #pragma once
 
 #include "rubato/core/linear_table.hpp"
@@ -44,8 +44,8 @@ bool has_dashpots(std::span<const LineSpring> springs);
 /// end: then the spring has no direction.
 Failed find_without_length(std::span<const LineSpring> springs, const StepSpan& step);
 
-/// Adds rowsᵀ N n of the end of the step; of the whole step rowsᵀ N̄ (d₀ + d₁)/(l₀ + l₁), N̄ the mean of N
-/// between both elongations, whose work is the change of the stored energy.
+/// Adds forces of the springs: rowsᵀ N n at the end of the step, or rowsᵀ N̄ (d₀ + d₁)/(l₀ + l₁) for the whole
+/// step. N̄ is the mean of N between both elongations: the work is the change of the stored energy.
 void add_line_forces(std::span<const LineSpring> springs, const StepSpan& step, Eigen::VectorXd& forces);
 /// Adds the derivatives of these forces, as domain::Wanted has them. `tangent` has entries at all dofs of
 /// each spring.
@@ -71,8 +71,8 @@ void add_line_damping_tangents(std::span<const LineSpring> springs, const Eigen:
                                const Eigen::VectorXd& v, const DampingFactors& factors,
                                SparseMatrix& tangent);
 
-/// y += B x, with B at least the stiffness of each spring in every direction and at the elongations of its
-/// table, as far as the law goes on linearly.
+/// y += B x, with B at least the stiffness of each spring in every direction. Elongations are those of its
+/// table, and beyond it where the law goes on linearly.
 void add_bound_of_stiffness(std::span<const LineSpring> springs, const Eigen::VectorXd& x,
                             Eigen::VectorXd& y);
 /// y += B x, with B at least the damping of each dashpot in every direction.

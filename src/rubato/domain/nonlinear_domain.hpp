@@ -26,8 +26,8 @@ public:
   /// `constant`: K of the cells that are constant and of springs. `initial`: the same with the tangents of
   /// the other cells where nothing has happened yet; nothing where nobody asks for it. Both have the pattern
   /// that `cells` have places in. With several ranks in `workers` they are this one's parts, and `cells` its
-  /// own. `lines`: all of them on every rank; `constant` has entries at their dofs, and the first rank counts
-  /// them.
+  /// own. `lines`: all of them on every rank. `constant` has entries at their dofs; the first rank alone adds
+  /// their forces and tangents.
   NonlinearDomain(SparseMatrix&& constant, std::optional<SparseMatrix>&& initial,
                   std::shared_ptr<const NonlinearCells> cells, int components,
                   std::shared_ptr<const Heat> heat = nullptr, std::vector<LawSpring> springs = {},

@@ -113,9 +113,9 @@ std::vector<domain::LawSpring> law_springs(const Model& model);
 std::vector<domain::LawSpring> law_dampers(const Model& model);
 /// Connectors that act along the current line between their ends.
 std::vector<domain::LineSpring> line_springs(const Model& model);
-/// Adds `factor` times the tangent of these connectors in the undeformed model. With 0 entries of value 0 are
-/// added at its places.
-void add_lines(const Model& model, double factor, SparseMatrix& stiffness);
+/// Adds `factor` times the tangent of these connectors in the undeformed model. A factor of 0 adds entries of
+/// value 0 at its places.
+void add_lines(std::span<const domain::LineSpring> lines, double factor, SparseMatrix& stiffness);
 /// Adds to a matrix of stiffness what it lacks of the slopes of springs at rest.
 void add_slopes_at_rest(const Model& model, SparseMatrix& stiffness);
 /// Adds their damping.

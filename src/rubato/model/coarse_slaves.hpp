@@ -9,7 +9,7 @@
 
 namespace rubato::model {
 
-/// A sentence for each zone by nodes whose slave nodes are more than 1.25 times as far apart as those of a
+/// A sentence for each zone by nodes whose slave nodes are more than 1.2 times as far apart as those of a
 /// master that deforms. Nothing keeps the master's nodes between slave nodes out of the slave.
 std::vector<std::string> notes_on_coarse_slaves(const Model& model);
 

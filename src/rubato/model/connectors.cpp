@@ -334,19 +334,18 @@ std::vector<domain::LineSpring> line_springs(const Model& model) {
   return springs;
 }
 
-void add_lines(const Model& model, double factor, SparseMatrix& stiffness) {
-  const auto springs = line_springs(model);
-  if (springs.empty())
+void add_lines(std::span<const domain::LineSpring> lines, double factor, SparseMatrix& stiffness) {
+  if (lines.empty())
     return;
   std::vector<Eigen::Triplet<double, int>> places;
-  for (const auto& spring : springs)
-    for (const int row : spring.dofs)
-      for (const int column : spring.dofs)
+  for (const auto& line : lines)
+    for (const int row : line.dofs)
+      for (const int column : line.dofs)
         places.emplace_back(row, column, 0);
-  SparseMatrix sum(model.dofs.dof_count, model.dofs.dof_count);
+  SparseMatrix sum(stiffness.rows(), stiffness.cols());
   sum.setFromTriplets(places.begin(), places.end());
-  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model.dofs.dof_count);
-  domain::add_line_tangents(springs, {rest, rest}, domain::TangentOf::symmetric, sum);
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(stiffness.rows());
+  domain::add_line_tangents(lines, {rest, rest}, domain::TangentOf::symmetric, sum);
   linalg::add_scaled(factor, sum, stiffness);
 }
 

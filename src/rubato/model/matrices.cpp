@@ -103,8 +103,8 @@ domain::Domain make_domain(const Model& model, const domain::BlockPattern& patte
   auto constant = domain::assemble_constant_stiffness(model.mesh, model.bulk, pattern);
   add_springs(model, constant);
   if (model.sharing().is_first()) {
-    add_lines(model, 1, stiffness);
-    add_lines(model, 0, constant);
+    add_lines(lines, 1, stiffness);
+    add_lines(lines, 0, constant);
   }
   const auto cells = std::make_shared<domain::NonlinearCells>(model.mesh, model.bulk, model.dofs,
                                                               own_cells(model).nonlinear, model.threads);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Slaves by nodes whose nodes are farther apart than the master's are told before the first step.
+// The model warns of slaves by nodes whose nodes are farther apart than the master's.
 #include "rubato/model/coarse_slaves.hpp"
 #include "rubato/model/model.hpp"
 

@@ -48,7 +48,7 @@ time: {{scheme: static, step: 1, end: 1}}
                      cells, friction);
 }
 
-/// Pressure, status and traction tell the same; forces are those of the receivers alone.
+/// Pressure, status and traction agree with each other. Receivers alone have forces.
 void expect_consistent(const std::string& deck, const std::string& what, bool rubs) {
   test::Walk walk(deck);
   ASSERT_TRUE(walk.to_end()) << what;

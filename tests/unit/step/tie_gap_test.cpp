@@ -60,8 +60,7 @@ time: {{scheme: static, step: 0.06666666666666667, end: 1}}
                      foot, head, tie);
 }
 
-/// By Green–Lagrange's law no stress is larger than twice the energy of unit volume over its strain; the
-/// largest change of length between nodes tells the strain.
+/// The largest relative change of a distance between two nodes: 0 in a rigid motion.
 double largest_stretch(const test::Walk& walk) {
   double largest = 0;
   const auto& mesh = walk.model.mesh;

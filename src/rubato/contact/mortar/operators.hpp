@@ -52,7 +52,7 @@ struct Options {
   bool mean_normals = false;
   /// Whether all of the master within reach counts, not only what is nearest (nearest.hpp).
   bool all_layers = false;
-  /// Whether gradients of the master's shape functions are integrated as well.
+  /// Integration includes gradients of the master's shape functions.
   bool gradients = false;
   /// That work on slave faces between two meshes; may_pair is asked by several at a time. Operators do not
   /// depend on their number.

@@ -315,7 +315,7 @@ void WholeSystem::forget_moves() {
   left_.reset();
 }
 
-/// Frames that were measured before a move tell nothing of surfaces far from there.
+/// Frames are measured before a move: they hold for surfaces near there.
 double WholeSystem::part_in_reach(const VectorXd& displacement) {
   return on_surfaces_.empty() ? 1 : reach_.part_of(displacement(on_surfaces_));
 }
