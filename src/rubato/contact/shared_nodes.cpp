@@ -119,6 +119,8 @@ void join_shared_points(std::span<Zone> zones) {
 }
 
 void distribute_shared_points(std::span<const Zone> zones, std::span<ZoneState> states) {
+  if (zones.size() < 2)
+    return;
   for (std::size_t z = 0; z < zones.size(); ++z)
     for (std::size_t i = 0; i < zones[z].points.size(); ++i) {
       const auto& point = zones[z].points[i];

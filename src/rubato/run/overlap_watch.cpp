@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -42,6 +43,33 @@ std::string sentence(const model::Model& model, const contact::Zone& zone, const
       "expected shorter steps{}",
       model.study.name, begin, end, zone.settings.name, found.depth, model::node_label(model.mesh, node),
       zone.slave.longest_edge, springs ? " or a larger coefficients.normal" : "");
+}
+
+/// In lengths of the slave's longest edge: depth that a point brings along from beyond the master.
+constexpr double brought = 0.02;
+
+/// Springs of explicit steps keep the depth of points that come onto the master from beyond its border.
+bool keeps_depth(const model::Model& model, const contact::Zone& zone) {
+  return study::is_explicit(model.study.time.scheme) && !zone.settings.tie;
+}
+
+std::optional<Deepest> deepest_from_beyond(const contact::Zone& zone, const contact::ZoneState& before,
+                                           const contact::ZoneState& now) {
+  Deepest deepest;
+  for (std::size_t i = 0; i < now.outcomes.size(); ++i)
+    if (!std::isfinite(before.outcomes[i].gap) && -now.outcomes[i].gap > deepest.depth)
+      deepest = {i, -now.outcomes[i].gap};
+  return deepest.depth > brought * zone.slave.longest_edge ? std::optional(deepest) : std::nullopt;
+}
+
+std::string sentence_of_beyond(const model::Model& model, const contact::Zone& zone, const Deepest& found,
+                               double t) {
+  return fmt::format(
+      "{}: at t = {:g} node {} of the slave of contact.{} came onto the master from beyond its border and "
+      "lies {:.3g} behind it; its spring keeps this depth, so forces there are too small, expected the other "
+      "side as slave, or an implicit scheme",
+      model.study.name, t, model::node_label(model.mesh, zone.points[found.point].nodes.front()),
+      zone.settings.name, found.depth);
 }
 
 /// Part of a master node's shortest edge.
@@ -113,8 +141,18 @@ void OverlapWatch::note(const step::State& before, const step::State& now) {
       warned_ = true;
       watch_.warn(sentence(model_, model_.zones[z], *found, before.t, now.t));
     }
+  note_from_beyond(before, now);
   if (!warned_ && !buried_)
     note_buried(before, now);
+}
+
+void OverlapWatch::note_from_beyond(const step::State& before, const step::State& now) {
+  for (std::size_t z = 0; z < model_.zones.size() && !from_beyond_; ++z)
+    if (const auto& zone = model_.zones[z]; keeps_depth(model_, zone))
+      if (const auto found = deepest_from_beyond(zone, before.zones[z], now.zones[z])) {
+        from_beyond_ = true;
+        watch_.warn(sentence_of_beyond(model_, zone, *found, now.t));
+      }
 }
 
 void OverlapWatch::note_buried(const step::State& before, const step::State& now) {

@@ -23,7 +23,8 @@ struct BuriedMaster {
 /// there on may be wrong, up to bodies that pass through each other. And a master node that came to lie
 /// behind the slave by more than half of its own edges, and more than the slave's points do behind the
 /// master: the slave's faces are too large to feel it. Said once a run, the latter only where the former was
-/// not.
+/// not. In explicit runs also, once a run, a slave point that comes onto the master from beyond its border
+/// and lies behind it by more than a fiftieth of a face.
 class OverlapWatch {
 public:
   /// Everything must outlive this.
@@ -32,12 +33,13 @@ public:
   void note(const step::State& before, const step::State& now);
 
 private:
+  void note_from_beyond(const step::State& before, const step::State& now);
   void note_buried(const step::State& before, const step::State& now);
 
   const model::Model& model_;
   const Watch& watch_;
   std::vector<BuriedMaster> masters_; ///< those that could lie unfelt behind their slave
-  bool warned_ = false, buried_ = false;
+  bool warned_ = false, buried_ = false, from_beyond_ = false;
 };
 
 } // namespace rubato::run

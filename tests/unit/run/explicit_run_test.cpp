@@ -6,6 +6,7 @@
 #include "rubato/run/run_study.hpp"
 #include "rubato/simulation/simulation.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support/faults.hpp"
@@ -13,6 +14,7 @@
 #include "support/scratch_folder.hpp"
 #include "support/simulated_blocks.hpp"
 #include "support/two_blocks.hpp"
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -196,6 +198,40 @@ time: {scheme: central_difference, end: 0.6, record: 0.1}
     test::expect_same(resumed, whole);
     EXPECT_EQ(resumed.energy().support_work, whole.energy().support_work) << i;
   }
+}
+
+/// The block comes from beyond the floor's left end at 10 m/s, its bottom `depth` below the top of the floor.
+study::Study from_beyond(double depth) {
+  const auto deck = fmt::format(R"(
+mesh:
+  generate:
+    - {{name: block, rectangle: {{from: [-0.57, {0}], to: [-0.07, 0.5]}}, divisions: [5, 5], cells: quad4, sides: {{bottom: under}}}}
+    - {{name: floor, rectangle: {{from: [0, -0.5], to: [2, 0]}}, divisions: [13, 3], cells: quad4, sides: {{top: over, bottom: ground}}}}
+physics: plane_strain
+materials: {{steel: {{young: 1e7, poisson: 0.3, density: 1000}}}}
+supports: [{{on: ground, fix: [x, y]}}]
+initial: [{{on: block, velocity: {{x: 10}}}}]
+contact: {{rest: {{master: over, slave: under, method: penalty, integration: nodes}}}}
+time: {{scheme: central_difference, end: 0.006}}
+)",
+                                -depth);
+  return deck::parse_deck(deck, "deck.yaml").runs.front();
+}
+
+TEST_F(ExplicitRun, WarnsOfASlaveNodeThatComesFromBeyondTheMasterBehindIt) {
+  const auto told = [this] {
+    return std::ranges::count_if(warned_, [](const std::string& text) {
+      return text.find("of the slave of contact.rest came onto the master from beyond its border and lies "
+                       "0.01 behind it; its spring keeps this depth") != std::string::npos;
+    });
+  };
+  run(from_beyond(0.01));
+  EXPECT_EQ(told(), 1);
+  warned_.clear();
+  run(from_beyond(0.001));
+  EXPECT_TRUE(std::ranges::none_of(warned_, [](const std::string& text) {
+    return text.find("from beyond") != std::string::npos;
+  })) << "a hundredth of a face";
 }
 
 } // namespace
