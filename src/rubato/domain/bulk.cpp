@@ -5,6 +5,7 @@
 #include "rubato/core/error.hpp"
 #include "rubato/domain/behaviour.hpp"
 #include "rubato/domain/undeformed.hpp"
+#include "rubato/element/nonlinear/reference_gradients.hpp"
 #include "rubato/mesh/names.hpp"
 
 #include <fmt/format.h>
@@ -41,6 +42,8 @@ bool is_linear(const Bulk& bulk) {
 
 element::CellKind kind_of(const Bulk& bulk, const Behaviour& behaviour, CellType type) {
   element::CellKind kind{type, bulk.section, behaviour.strain, behaviour.formulation};
+  if (kind.formulation == element::Formulation::reduced && element::has_lower_order_rule(type))
+    kind.formulation = element::Formulation::lower_order;
   if (!element::is_offered(kind))
     kind.formulation = element::Formulation::full;
   if (kind.formulation == element::Formulation::reduced)

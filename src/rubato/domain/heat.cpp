@@ -3,8 +3,10 @@
 
 #include "rubato/cell/shape_table.hpp"
 #include "rubato/core/error.hpp"
+#include "rubato/domain/behaviour.hpp"
 #include "rubato/domain/cell_matrices.hpp"
 #include "rubato/element/element.hpp"
+#include "rubato/element/nonlinear/reference_gradients.hpp"
 #include "rubato/mesh/names.hpp"
 
 #include <fmt/format.h>
@@ -75,6 +77,17 @@ void multiply(const Eigen::SparseMatrix<double, Eigen::RowMajor, int>& matrix, c
   }
 }
 
+/// Shape functions at the points at which the cell evaluates its law.
+const MatrixXd& shapes_of(const Bulk& bulk, std::size_t cell, CellType type) {
+  static const auto quad8 = cell::tabulate(CellType::quad8, element::lower_order_rule(CellType::quad8));
+  static const auto hexa20 = cell::tabulate(CellType::hexa20, element::lower_order_rule(CellType::hexa20));
+  const auto* behaviour = bulk.behaviour(cell);
+  if (behaviour == nullptr ||
+      kind_of(bulk, *behaviour, type).formulation != element::Formulation::lower_order)
+    return cell::stiffness_table(type).values;
+  return type == CellType::quad8 ? quad8.values : hexa20.values;
+}
+
 } // namespace
 
 VectorXd Heat::Forces::at(const VectorXd& temperatures) const {
@@ -100,7 +113,8 @@ void Heat::choose_cells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& 
       given[static_cast<std::size_t>(node)] = 1;
   const auto has_one = [&](int node) { return given[static_cast<std::size_t>(node)] != 0; };
   for (std::size_t i = 0; i < bulk.cells.size(); ++i) {
-    Cell cell{mesh.type_of(bulk.cells[i]), -1, {}};
+    const auto type = mesh.type_of(bulk.cells[i]);
+    Cell cell{type, -1, {}, &shapes_of(bulk, i, type)};
     for (const auto node : mesh.nodes_of(bulk.cells[i]))
       cell.nodes.push_back(dofs.dof(node, 0) / dofs.components);
     const int law = bulk.law_of_cell[i];
@@ -220,7 +234,7 @@ double Heat::held_energy(double t) const {
 }
 
 VectorXd Heat::degrees(std::size_t cell, const VectorXd& temperatures) const {
-  const auto& shapes = cell::stiffness_table(cells_[cell].type).values;
+  const auto& shapes = *cells_[cell].shapes;
   const auto& nodes = cells_[cell].nodes;
   const double reference = expansion_of(cell)->reference;
   VectorXd degrees(shapes.cols());

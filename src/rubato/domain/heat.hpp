@@ -71,6 +71,7 @@ private:
     CellType type{};
     int law = -1; ///< below 0: not heated
     std::vector<int> nodes;
+    const Eigen::MatrixXd* shapes = nullptr; ///< of its nodes at its points, nodes × points
   };
 
   void choose_cells(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs);

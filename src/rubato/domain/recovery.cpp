@@ -7,6 +7,7 @@
 #include "rubato/domain/balance.hpp"
 #include "rubato/domain/behaviour.hpp"
 #include "rubato/domain/cell_matrices.hpp"
+#include "rubato/element/nonlinear/reference_gradients.hpp"
 #include "rubato/linalg/dense_decompositions.hpp"
 #include "rubato/linalg/dense_products.hpp"
 
@@ -23,14 +24,29 @@ std::size_t slot(std::int64_t i) {
   return static_cast<std::size_t>(i);
 }
 
+/// The linear functions of the corners that fit values at `from` best, at `to`: to × from.
+MatrixXd fit(CellType type, std::span<const cell::QuadraturePoint> from,
+             std::span<const cell::QuadraturePoint> to) {
+  const auto corners = cell::linear_type(type);
+  const MatrixXd at_from = cell::tabulate(corners, from).values.transpose();
+  const MatrixXd at_to = cell::tabulate(corners, to).values.transpose();
+  return linalg::product(at_to, linalg::pseudo_inverse(at_from));
+}
+
 MatrixXd extrapolation_of(const cell::ReferenceCell& cell) {
-  const auto corners = cell::linear_type(cell.type);
   std::vector<cell::QuadraturePoint> nodes;
   for (const auto& xi : cell.nodes)
     nodes.push_back({xi, 1.});
-  const MatrixXd at_points = cell::tabulate(corners, cell::stiffness_rule(cell.type)).values.transpose();
-  const MatrixXd at_nodes = cell::tabulate(corners, nodes).values.transpose();
-  return linalg::product(at_nodes, linalg::pseudo_inverse(at_points));
+  return fit(cell.type, cell::stiffness_rule(cell.type), nodes);
+}
+
+/// From the points of element::lower_order_rule to those of cell::stiffness_rule.
+const MatrixXd& from_lower_order(CellType type) {
+  const auto of = [](CellType one) {
+    return fit(one, element::lower_order_rule(one), cell::stiffness_rule(one));
+  };
+  static const MatrixXd quad8 = of(CellType::quad8), hexa20 = of(CellType::hexa20);
+  return type == CellType::quad8 ? quad8 : hexa20;
 }
 
 /// A Bᵀ, A with few rows.
@@ -143,9 +159,11 @@ Eigen::Matrix<double, 6, 1> as_tensor(const material::Strain6& strain) {
   return tensor;
 }
 
-/// Of the points of cell::stiffness_rule, which may have one column for all.
-MatrixXd at_each_point(const MatrixXd& values, CellType type) {
-  MatrixXd all(values.rows(), extrapolation(type).cols());
+/// At the points of cell::stiffness_rule, of values at the points of the cell: one point counts for all.
+MatrixXd at_each_point(const MatrixXd& values, const element::CellKind& kind) {
+  if (kind.formulation == element::Formulation::lower_order)
+    return times_transposed(values, from_lower_order(kind.type));
+  MatrixXd all(values.rows(), extrapolation(kind.type).cols());
   for (Index q = 0; q < all.cols(); ++q)
     all.col(q) = values.col(q % values.cols());
   return all;
@@ -164,7 +182,7 @@ MatrixXd CellTensors::nonlinear_at_points(Tensor what, const Behaviour& behaviou
     for (std::size_t q = 0; q < count; ++q)
       result.col(static_cast<Index>(q)) =
           as_tensor(material::plastic_strain(behaviour.law, state_at(behaviour, cell, q)));
-    return at_each_point(result, block->type);
+    return at_each_point(result, kind);
   }
   gather(dofs_, nodes, u_, local_);
   const CellPoints points(mesh_, nodes);
@@ -184,7 +202,7 @@ MatrixXd CellTensors::nonlinear_at_points(Tensor what, const Behaviour& behaviou
                                             ? records[q].cauchy
                                             : as_tensor(heated_strain(behaviour.law, seen, records[q].free));
   }
-  return at_each_point(result, block->type);
+  return at_each_point(result, kind);
 }
 
 /// Cumulated plastic strain is never negative at points; its extrapolation to nodes may be.
@@ -201,10 +219,11 @@ MatrixXd CellTensors::cumulated_plastic_strain(std::size_t cell) {
   const auto* behaviour = bulk_.behaviour(cell);
   if (behaviour == nullptr)
     return MatrixXd::Zero(1, extrapolation(type).cols());
-  MatrixXd result(1, element::point_count(kind_of(bulk_, *behaviour, type)));
+  const auto kind = kind_of(bulk_, *behaviour, type);
+  MatrixXd result(1, element::point_count(kind));
   for (Index q = 0; q < result.cols(); ++q)
     result(0, q) = material::cumulated_plastic_strain(behaviour->law, state_at(*behaviour, cell, slot(q)));
-  return at_each_point(result, type);
+  return at_each_point(result, kind);
 }
 
 MatrixXd CellTensors::linear_at_points(Tensor what, std::size_t cell) {

@@ -40,8 +40,9 @@ public:
   CellTensors(const mesh::Mesh& mesh, const Bulk& bulk, const DofMap& dofs, const Eigen::VectorXd& u,
               HeatAt heat = {}, const QuadratureStates* states = nullptr);
 
-  /// At the points of cell::stiffness_rule, 6 × points, of a cell by its place in `bulk.cells`; those of
-  /// reduced cells all have what their one point has.
+  /// At the points of cell::stiffness_rule, 6 × points, of a cell by its place in `bulk.cells`. In reduced
+  /// cells all have what their one point has; in cells of lower order the function that is linear in each
+  /// direction and has the values of their points.
   Eigen::MatrixXd at_points(Tensor what, std::size_t cell);
   /// The same extrapolated to the nodes of the cell, 6 × nodes.
   Eigen::MatrixXd at_nodes(Tensor what, std::size_t cell);

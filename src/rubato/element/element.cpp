@@ -37,7 +37,7 @@ void check_dimension(CellType type, Physics physics) {
 
 /// Of a cell that is checked.
 CellGradients gradients_of(CellType type, Points points, const Section& section) {
-  return {type, points, section, false};
+  return {type, points, section, PointRule::stiffness};
 }
 
 /// Where components of the physics are among all six.

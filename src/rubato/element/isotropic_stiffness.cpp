@@ -85,7 +85,7 @@ void isotropic_stiffness(CellType type, std::span<const Eigen::Vector3d> points,
                          const Section& section, Eigen::Ref<Eigen::MatrixXd> k) {
   if (type == CellType::hexa8 && section.physics == study::Physics::solid)
     return put_hexa8(points, lame, k);
-  const CellGradients gradients(type, points, section, false);
+  const CellGradients gradients(type, points, section, PointRule::stiffness);
   const MatrixView view{k.data(), static_cast<int>(k.outerStride())};
   if (section.physics == study::Physics::solid)
     IsotropicStiffness<3, 3>(gradients, lame).put(view);

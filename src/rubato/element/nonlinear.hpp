@@ -19,6 +19,9 @@
 ///                  (1990) 1595–1638; J. C. Simo, F. Armero, ibid. 33 (1992) 1413–1449
 /// reduced          one point, which has the means of the gradients over the volume, and forces against what
 ///                  it does not see: D. P. Flanagan, T. Belytschko, ibid. 17 (1981) 679–706
+/// lower_order      2 × 2 points in QUAD8, 2 × 2 × 2 in HEXA20, and no forces against what they do not see:
+///                  one motion of a QUAD8, six of a HEXA20 (O. C. Zienkiewicz, R. L. Taylor, J. M. Too, ibid.
+///                  3 (1971) 275–290)
 #pragma once
 
 #include "rubato/element/element.hpp"
@@ -39,7 +42,7 @@ enum class StrainKind {
   logarithmic     ///< E = ½ ln FᵀF, T
 };
 
-enum class Formulation { full, mean_dilatation, enhanced, reduced };
+enum class Formulation { full, mean_dilatation, enhanced, reduced, lower_order };
 
 /// What keeps reduced cells in shape (nonlinear/hourglass_control.hpp).
 struct HourglassControl {
@@ -59,10 +62,11 @@ struct CellKind {
 
 /// Whether there is such a cell: `full` for every bulk cell, `mean_dilatation` for all but TRIA3, TETRA4 and
 /// pyramids and not in plane stress, `enhanced` for QUAD4 and HEXA8 with small or Green–Lagrange strain,
-/// `reduced` for QUAD4 and HEXA8.
+/// `reduced` for QUAD4 and HEXA8, `lower_order` for QUAD8 and HEXA20.
 bool is_offered(const CellKind& kind);
 
-/// Points of cell::stiffness_rule; 1 of reduced cells.
+/// Points of cell::stiffness_rule; 1 of reduced cells, those of lower_order_rule (nonlinear/
+/// reference_gradients.hpp) of cells of lower order.
 int point_count(const CellKind& kind);
 
 /// Unknowns of the cell's own. enhanced: 4 in QUAD4, 9 in HEXA8, there 12 in small strain; mean_dilatation: 2

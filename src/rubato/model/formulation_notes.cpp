@@ -8,6 +8,7 @@
 #include "rubato/model/bodies.hpp"
 #include "rubato/model/layers.hpp"
 #include "rubato/model/model.hpp"
+#include "rubato/model/unseen_motions.hpp"
 #include "rubato/study/formulation.hpp"
 #include "rubato/study/validate.hpp"
 #include "rubato/study/words.hpp"
@@ -191,6 +192,29 @@ void note_bending(const Model& model, const Material& material, const Bodies& bo
 
 } // namespace
 
+namespace {
+
+/// Hourglasses of cells of one point give way where the material yields, of which implicit steps keep no
+/// account.
+void check_one_point(const study::Study& study, const Material& material, std::vector<Fault>& faults) {
+  const auto path = fmt::format("materials.{}.formulation", material.name);
+  const auto refuse = [&](const std::string& text) {
+    faults.push_back(fault_at(path, fmt::format("{}: {}", path, text)));
+  };
+  const auto scheme = study.time.scheme;
+  if (material.law == study::LawKind::plastic && !study::is_explicit(scheme))
+    refuse(fmt::format("the scheme {} takes reduced QUAD4 and HEXA8 of materials that do not yield only, "
+                       "expected {}",
+                       word_of(study::scheme_words, scheme),
+                       study.physics == study::Physics::plane_stress ? "full" : "mean_dilatation"));
+  else if (scheme == study::SchemeKind::energy_momentum)
+    refuse("the scheme energy_momentum takes no reduced QUAD4 and HEXA8, expected full");
+  if (study::is_heated(study, material))
+    refuse("found thermal expansion of reduced QUAD4 and HEXA8, which follow no temperature; expected full");
+}
+
+} // namespace
+
 void check_formulations(const study::Study& study, const mesh::Mesh& mesh, const domain::Bulk& bulk,
                         std::vector<Fault>& faults) {
   const auto cells = cells_by_material(study, bulk);
@@ -211,7 +235,10 @@ void check_formulations(const study::Study& study, const mesh::Mesh& mesh, const
                       names_of(types), word_of(study::formulation_words, *material.formulation),
                       *material.formulation == Formulation::mean_dilatation
                           ? "all but TRIA3, TETRA4 and pyramids have"
-                          : "QUAD4 and HEXA8 have")));
+                      : *material.formulation == Formulation::reduced ? "QUAD4, QUAD8, HEXA8 and HEXA20 have"
+                                                                      : "QUAD4 and HEXA8 have")));
+    if (*material.formulation == Formulation::reduced && std::ranges::any_of(types, study::has_one_point))
+      check_one_point(study, material, faults);
   }
 }
 
@@ -226,6 +253,8 @@ CellFindings examine_formulations(const Model& model) {
                  return bends_too_stiffly(model, materials[m], model.mesh.type_of(model.bulk.cells[i]));
                });
   }
+  for (auto& note : notes_on_unseen_motions(model))
+    findings.notes.push_back(std::move(note));
   if (!may_bend)
     return findings;
   const Bodies bodies(model.mesh, model.bulk);

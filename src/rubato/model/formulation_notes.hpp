@@ -36,8 +36,8 @@ struct CellFindings {
 };
 
 /// Notes on linear and quadratic cells, integrated in full, whose material keeps its volume (not in plane
-/// stress), and on slender parts of few QUAD4 or HEXA8 across, which are too stiff in bending. Of a model
-/// that has its reduction.
+/// stress), on slender parts of few QUAD4 or HEXA8 across, which are too stiff in bending, and on reduced
+/// cells that can deform without stress. Of a model that has its reduction.
 CellFindings examine_formulations(const Model& model);
 
 } // namespace rubato::model

@@ -151,6 +151,23 @@ std::shared_ptr<const domain::Behaviour> behaviour_of(const study::Study& study,
   return std::make_shared<const domain::Behaviour>(std::move(behaviour));
 }
 
+/// Reduced linear bodies have one stiffness where no cell of theirs has forces against hourglasses.
+void find_constant_reduced(const study::Study& study, const mesh::Mesh& mesh, domain::Bulk& bulk) {
+  std::vector<char> has_hourglasses(study.materials.size(), 0);
+  for (std::size_t i = 0; i < bulk.cells.size(); ++i)
+    if (study::has_one_point(mesh.type_of(bulk.cells[i])))
+      has_hourglasses[static_cast<std::size_t>(bulk.law_of_cell[i])] = 1;
+  for (std::size_t m = 0; m < bulk.behaviours.size(); ++m) {
+    const auto& material = study.materials[m];
+    if (bulk.behaviours[m] == nullptr || has_hourglasses[m] != 0 || is_heated(study, material) ||
+        material.formulation != study::Formulation::reduced || !study::has_constant_stiffness(material))
+      continue;
+    auto behaviour = *bulk.behaviours[m];
+    behaviour.constant = true;
+    bulk.behaviours[m] = std::make_shared<const domain::Behaviour>(std::move(behaviour));
+  }
+}
+
 } // namespace
 
 domain::Bulk make_bulk(const study::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults) {
@@ -176,6 +193,7 @@ domain::Bulk make_bulk(const study::Study& study, const mesh::Mesh& mesh, std::v
   bulk.cells = assignment.cells();
   for (const auto cell : bulk.cells)
     bulk.law_of_cell.push_back(std::max(0, assignment.of(cell)));
+  find_constant_reduced(study, mesh, bulk);
   return bulk;
 }
 

@@ -31,6 +31,10 @@ bool averages_dilatation(CellType type, Physics physics) {
   }
 }
 
+bool has_one_point(CellType type) {
+  return type == CellType::quad4 || type == CellType::hexa8;
+}
+
 namespace {
 
 bool has_cells(Formulation formulation, CellType type, Physics physics) {
@@ -38,8 +42,9 @@ bool has_cells(Formulation formulation, CellType type, Physics physics) {
   case Formulation::mean_dilatation:
     return averages_dilatation(type, physics);
   case Formulation::enhanced:
-  case Formulation::reduced:
     return type == CellType::quad4 || type == CellType::hexa8;
+  case Formulation::reduced:
+    return has_one_point(type) || type == CellType::quad8 || type == CellType::hexa20;
   case Formulation::full:
     break;
   }

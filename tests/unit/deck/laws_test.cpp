@@ -338,11 +338,6 @@ const BadMaterial bad_cells[] = {
      "materials.steel.formulation: found 'enhance', expected one of full, mean_dilatation, enhanced, "
      "reduced; did you mean 'enhanced'?",
      ""},
-    {bilinear + ", formulation: reduced",
-     "materials.steel.formulation: the scheme newmark takes reduced cells of materials that do not yield "
-     "only, "
-     "expected mean_dilatation",
-     ""},
     {"young: 1+x, poisson: 0.3, formulation: reduced",
      "materials.steel.young: depends on the place, which reduced cells cannot; expected a number", ""},
     {rubber + ", formulation: enhanced",

@@ -17,7 +17,7 @@ namespace rubato::element {
 
 inline std::string name_of(const CellKind& kind) {
   constexpr const char* strains[] = {"Small", "GreenLagrange", "Logarithmic"};
-  constexpr const char* formulations[] = {"Full", "MeanDilatation", "Enhanced", "Reduced"};
+  constexpr const char* formulations[] = {"Full", "MeanDilatation", "Enhanced", "Reduced", "LowerOrder"};
   return test::name_of(test::BulkCase{kind.type, kind.section.physics}) +
          strains[static_cast<int>(kind.strain)] + formulations[static_cast<int>(kind.formulation)] +
          (kind.hourglass.limit > 0 ? "Yielding" : "");
@@ -31,8 +31,8 @@ inline std::vector<CellKind> every_kind() {
   std::vector<CellKind> kinds;
   for (const auto& bulk : test::every_bulk_case())
     for (const auto strain : {StrainKind::small, StrainKind::green_lagrange, StrainKind::logarithmic})
-      for (const auto formulation :
-           {Formulation::full, Formulation::mean_dilatation, Formulation::enhanced, Formulation::reduced}) {
+      for (const auto formulation : {Formulation::full, Formulation::mean_dilatation, Formulation::enhanced,
+                                     Formulation::reduced, Formulation::lower_order}) {
         CellKind kind{bulk.type, {bulk.physics, 0.7}, strain, formulation};
         if (!is_offered(kind))
           continue;

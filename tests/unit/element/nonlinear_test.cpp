@@ -99,7 +99,9 @@ TEST_P(EveryKind, HasTheWorkOfItsForcesAtItsPoints) {
 int unseen_motions(const CellKind& kind) {
   const bool is_axisymmetric = kind.section.physics == Physics::axisymmetric;
   if (kind.type == CellType::tria3 && is_axisymmetric)
-    return 1; // one point sees four strains of six motions
+    return 1;                                       // one point sees four strains of six motions
+  if (kind.formulation == Formulation::lower_order) // 24 and 48 strains at the points of 54 and 13 motions
+    return kind.section.physics == Physics::solid ? 6 : is_axisymmetric ? 0 : 1;
   if (kind.formulation != Formulation::mean_dilatation)
     return 0;
   // u = 2 (b·x) x − x² b has no shears, and a change of volume that vanishes in the mean of one cell alone
@@ -137,6 +139,9 @@ TEST_P(EveryKind, HasTheSameStressEverywhereUnderAConstantStrain) {
       EXPECT_LT((record.piola - first.piola).norm(), 1e-10 * first.piola.norm());
       EXPECT_LT((record.gradient - first.gradient).norm(), 1e-12);
     }
+    if (GetParam().formulation == Formulation::lower_order &&
+        GetParam().section.physics != Physics::plane_strain && !is_flat(GetParam()))
+      continue; // such rules do not integrate gradients of bent solids and rings exactly
     const VectorXd force = cell.force;
     CellKind full = GetParam();
     full.formulation = Formulation::full;

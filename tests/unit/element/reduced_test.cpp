@@ -61,7 +61,8 @@ TEST(ReducedCells, ResistAllButRigidMotions) {
 
 TEST(ReducedCells, HaveTheMeansOfTheGradientsOfDistortedCells) {
   const auto points = test::bent_cell(CellType::hexa8);
-  const CellGradients at_points(CellType::hexa8, points, {}, false), means(CellType::hexa8, points, {}, true);
+  const CellGradients at_points(CellType::hexa8, points, {}, PointRule::stiffness),
+      means(CellType::hexa8, points, {}, PointRule::one);
   double volume = 0, error = 0, size = 0;
   for (int q = 0; q < 8; ++q)
     volume += at_points.weight(q);

@@ -105,5 +105,58 @@ TEST(Formulations, ThatNoCellHasAreRefused) {
       << fault;
 }
 
+std::string refusal_of(const std::string& material, const std::string& type, const std::string& more = "") {
+  auto deck = deck_of({.material = material + ", formulation: reduced", .cells = type}) + more;
+  return test::fault_of([&] { test::model_of(deck); });
+}
+
+TEST(ReducedCells, OfOnePointAreRefusedWhereTheyCannotBeHad) {
+  EXPECT_NE(
+      refusal_of(yielding, "quad4")
+          .find("materials.any.formulation: the scheme newmark takes reduced QUAD4 and HEXA8 of materials "
+                "that do not yield only, expected mean_dilatation"),
+      std::string::npos);
+  EXPECT_EQ(refusal_of(yielding, "quad8"), "nothing thrown");
+  const std::string warm = "young: 1, poisson: 0.3, density: 1, expansion: 1e-5, reference_temperature: 0";
+  const std::string temperature = "temperature: [{on: all, value: 1}]\n";
+  EXPECT_NE(refusal_of(warm, "quad4", temperature)
+                .find("found thermal expansion of reduced QUAD4 and HEXA8, which follow no temperature"),
+            std::string::npos);
+  EXPECT_EQ(refusal_of(warm, "quad8", temperature), "nothing thrown");
+  EXPECT_NE(refusal_of("young: 1, poisson: 0.3, density: 1", "tria6")
+                .find("its TRIA6 cells have no reduced, QUAD4, QUAD8, HEXA8 and HEXA20 have; expected full"),
+            std::string::npos);
+}
+
+std::string reduced_solids(const std::string& divisions, const std::string& supports) {
+  return fmt::format(
+      R"(mesh: {{generate: [{{name: part, box: {{from: [0, 0, 0], to: [1, 1, 4]}}, divisions: {}, cells: hexa20, sides: {{back: foot, left: left, front: top, bottom: low}}}}]}}
+physics: solid
+materials: {{any: {{young: 1, poisson: 0.3, formulation: reduced}}}}
+supports: [{}]
+time: {{scheme: static, step: 1, end: 1}}
+)",
+      divisions, supports);
+}
+
+TEST(ReducedCells, ThatCanDeformWithoutStressAreTold) {
+  const auto notes = [](const std::string& deck) {
+    std::string all;
+    for (const auto& note : examine_formulations(test::model_of(deck)).notes)
+      all += note + "\n";
+    return all;
+  };
+  const std::string held = "{on: foot, fix: [x, y, z]}";
+  const auto told = notes(reduced_solids("[1, 1, 4]", held));
+  EXPECT_NE(told.find("material 'any': 4 reduced cells, the first cell "), std::string::npos) << told;
+  EXPECT_NE(told.find("have no neighbours in two directions and can deform without stress"),
+            std::string::npos)
+      << told;
+  EXPECT_EQ(notes(reduced_solids("[2, 1, 4]", held)), "");
+  EXPECT_EQ(notes(reduced_solids("[1, 1, 4]", held + ", {on: left, fix: [x]}")), "");
+  const std::string reduced = "young: 1, poisson: 0.3, density: 1, formulation: reduced";
+  EXPECT_EQ(notes_of({.material = reduced, .cells = "quad8", .divisions = "[2, 1]"}), "");
+}
+
 } // namespace
 } // namespace rubato::model::formulation_notes_test

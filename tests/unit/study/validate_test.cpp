@@ -172,8 +172,6 @@ INSTANTIATE_TEST_SUITE_P(
             [](Study& s) { make_rubber(s.materials[0]), s.materials[0].in_place["c10"] = Formula{"x"}; }},
         Bad{"materials.steel.strain", "takes no logarithmic strain",
             [](Study& s) { make_rubber(s.materials[0]), s.materials[0].strain = StrainKind::logarithmic; }},
-        Bad{"materials.steel.formulation", "takes reduced cells of materials that do not yield only",
-            [](Study& s) { make_plastic(s.materials[0]), s.materials[0].formulation = Formulation::reduced; }},
         Bad{"time.max_step", "chooses its steps",
             [](Study& s) { make_plastic(s.materials[0]), explicitly(s), s.contact.clear(), s.time.max_step = 1; }},
         Bad{"time.arc_length", "follows the motion past limit loads by itself",

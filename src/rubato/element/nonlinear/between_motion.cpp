@@ -26,7 +26,8 @@ Eigen::Matrix3d symmetric_part(const Eigen::Matrix3d& h, const Eigen::Matrix3d& 
 } // namespace
 
 BetweenMotion::BetweenMotion(const CellKind& kind, const BetweenInput& input, int modes)
-    : gradients_(kind.type, input.points, kind.section, false), nodes_(gradients_.nodes() + modes) {
+    : gradients_(kind.type, input.points, kind.section, rule_of(kind.formulation)),
+      nodes_(gradients_.nodes() + modes) {
   if (modes > 0 && has_bubble(kind.type))
     put_bubble(kind.type, input.points, gradients_);
   else if (modes > 0)

@@ -73,9 +73,10 @@ template <class Sizes> double scatter(const NodalValues& nodal, int nodes, int o
 } // namespace
 
 CellGradients::CellGradients(CellType type, std::span<const Eigen::Vector3d> points, const Section& section,
-                             bool has_one_point)
+                             PointRule rule)
     : d_(component_count(section.physics)), rows_(section.physics == study::Physics::axisymmetric ? 3 : d_) {
-  const auto& reference = reference_gradients(type);
+  const bool has_one_point = rule == PointRule::one;
+  const auto& reference = reference_gradients(type, has_one_point ? PointRule::stiffness : rule);
   nodes_ = reference.nodes;
   points_ = has_one_point ? 1 : reference.points;
   stride_ = stride_of(nodes_, d_);
@@ -169,7 +170,7 @@ void CellGradients::set_means(CellType type, std::span<const Eigen::Vector3d> po
     weight_[0] = volume * measure(section, 0);
     return;
   }
-  const CellGradients at_points(type, points, section, false);
+  const CellGradients at_points(type, points, section, PointRule::stiffness);
   const int size = rows_ * stride_;
   weight_[0] = 0;
   for (int q = 0; q < at_points.points(); ++q)

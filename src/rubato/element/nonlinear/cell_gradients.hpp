@@ -25,6 +25,17 @@ constexpr std::size_t place(int i) {
   return static_cast<std::size_t>(i);
 }
 
+constexpr PointRule rule_of(Formulation formulation) {
+  switch (formulation) {
+  case Formulation::reduced:
+    return PointRule::one;
+  case Formulation::lower_order:
+    return PointRule::lower_order;
+  default:
+    return PointRule::stiffness;
+  }
+}
+
 template <class T> using AtPoints = std::array<T, static_cast<std::size_t>(most_points_of_cell)>;
 
 /// Where component a of gradient row I is in a tensor of the point: at a + 3 I, −1 where nowhere (the axial
@@ -58,9 +69,9 @@ struct NodalValues {
 
 class CellGradients {
 public:
-  /// On the undeformed shape. `has_one_point`: QUAD4 and HEXA8 only.
+  /// On the undeformed shape.
   CellGradients(CellType type, std::span<const Eigen::Vector3d> points, const Section& section,
-                bool has_one_point);
+                PointRule rule);
 
   int components() const { return d_; }
   int rows() const { return rows_; }

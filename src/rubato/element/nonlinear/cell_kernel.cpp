@@ -137,7 +137,7 @@ CellResult evaluate_with(CellGradients& gradients, const CellKind& kind, const P
 CellResult evaluate_cell(const CellKind& kind, const PointLaws& laws, const CellInput& input,
                          const CellOutput& output) {
   constexpr int of_most_cells = 8;
-  CellGradients gradients(kind.type, input.points, kind.section, kind.formulation == Formulation::reduced);
+  CellGradients gradients(kind.type, input.points, kind.section, rule_of(kind.formulation));
   return gradients.points() <= of_most_cells
              ? evaluate_with<of_most_cells>(gradients, kind, laws, input, output)
              : evaluate_with<most_points_of_cell>(gradients, kind, laws, input, output);

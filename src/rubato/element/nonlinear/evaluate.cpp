@@ -3,6 +3,7 @@
 #include "rubato/cell/reference_cell.hpp"
 #include "rubato/element/nonlinear/bubble_cell.hpp"
 #include "rubato/element/nonlinear/cell_kernel.hpp"
+#include "rubato/element/nonlinear/reference_gradients.hpp"
 #include "rubato/element/nonlinear/small_hexa8.hpp"
 #include "rubato/study/formulation.hpp"
 
@@ -35,14 +36,22 @@ bool is_offered(const CellKind& kind) {
     return is_box(kind) && kind.strain != StrainKind::logarithmic;
   case Formulation::reduced:
     return is_box(kind);
+  case Formulation::lower_order:
+    return has_lower_order_rule(kind.type);
   default:
     return true;
   }
 }
 
 int point_count(const CellKind& kind) {
-  return kind.formulation == Formulation::reduced ? 1
-                                                  : static_cast<int>(cell::stiffness_rule(kind.type).size());
+  switch (kind.formulation) {
+  case Formulation::reduced:
+    return 1;
+  case Formulation::lower_order:
+    return reference_gradients(kind.type, PointRule::lower_order).points;
+  default:
+    return static_cast<int>(cell::stiffness_rule(kind.type).size());
+  }
 }
 
 int mode_count(const CellKind& kind) {

@@ -137,7 +137,7 @@ template <int d> void HourglassForces::set_half_gradient(const NodalValues& u) {
 
 void HourglassForces::add_rolling(const CellGradients& gradients, const CellKind& kind,
                                   std::span<const Eigen::Vector3d> points, const NodalValues& u) {
-  const CellGradients at(kind.type, points, kind.section, false);
+  const CellGradients at(kind.type, points, kind.section, PointRule::stiffness);
   const int nodes = gradients.nodes();
   const double* const mean = gradients.row(0, d_);
   double* const radial = half_gradient_.component(0, stride_);
@@ -173,7 +173,7 @@ double hourglass_energy(const CellKind& kind, std::span<const Eigen::Vector3d> p
                         std::span<const double> displacement) {
   if (kind.formulation != Formulation::reduced)
     return 0;
-  const CellGradients gradients(kind.type, points, kind.section, true);
+  const CellGradients gradients(kind.type, points, kind.section, PointRule::one);
   return HourglassForces(kind, gradients, points, gradients.by_component(displacement)).energy();
 }
 

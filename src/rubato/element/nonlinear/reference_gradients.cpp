@@ -2,9 +2,12 @@
 #include "rubato/element/nonlinear/reference_gradients.hpp"
 
 #include "rubato/cell/reference_cell.hpp"
+#include "rubato/cell/rules.hpp"
 #include "rubato/cell/shape_table.hpp"
 
 #include <array>
+#include <stdexcept>
+#include <string>
 
 namespace rubato::element {
 namespace {
@@ -23,9 +26,8 @@ void add_centre(const cell::ReferenceCell& cell, ReferenceGradients& reference) 
   reference.centre_values = table.values;
 }
 
-ReferenceGradients made(const cell::ReferenceCell& cell) {
-  const auto& table = cell::stiffness_table(cell.type);
-  const auto rule = cell::stiffness_rule(cell.type);
+ReferenceGradients made(const cell::ReferenceCell& cell, std::span<const cell::QuadraturePoint> rule) {
+  const auto table = cell::tabulate(cell.type, rule);
   const auto points = static_cast<Index>(rule.size());
   ReferenceGradients reference{cell.node_count, static_cast<int>(points), table.weights, {}, {}, {}, {}, {}};
   reference.values.setZero(even(cell.node_count), points);
@@ -47,13 +49,39 @@ Tables every_table() {
   Tables tables;
   for (const auto& cell : cell::all_topologies())
     if (cell::has_reference_cell(cell.type))
-      tables[static_cast<std::size_t>(cell.type)] = made(cell::reference_cell(cell.type));
+      tables[static_cast<std::size_t>(cell.type)] =
+          made(cell::reference_cell(cell.type), cell::stiffness_rule(cell.type));
   return tables;
+}
+
+struct LowerOrder {
+  explicit LowerOrder(CellType type)
+      : rule(cell::gauss_rule(type, 2)), gradients(made(cell::reference_cell(type), rule)) {}
+
+  cell::Rule rule;
+  ReferenceGradients gradients;
+};
+
+const LowerOrder& lower_order(CellType type) {
+  static const LowerOrder quad8(CellType::quad8), hexa20(CellType::hexa20);
+  if (!has_lower_order_rule(type))
+    throw std::invalid_argument(std::string(cell::topology(type).name) + " has no rule of lower order");
+  return type == CellType::quad8 ? quad8 : hexa20;
 }
 
 } // namespace
 
-const ReferenceGradients& reference_gradients(CellType type) {
+bool has_lower_order_rule(CellType type) {
+  return type == CellType::quad8 || type == CellType::hexa20;
+}
+
+std::span<const cell::QuadraturePoint> lower_order_rule(CellType type) {
+  return lower_order(type).rule;
+}
+
+const ReferenceGradients& reference_gradients(CellType type, PointRule rule) {
+  if (rule == PointRule::lower_order)
+    return lower_order(type).gradients;
   static const Tables tables = every_table();
   return tables[static_cast<std::size_t>(cell::reference_cell(type).type)];
 }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// Shape functions at the points of cell::stiffness_rule with the nodes next to each other in memory, their
-/// number made even by zeros: two nodes are one SSE2 register.
+/// Shape functions at the points of a rule with the nodes next to each other in memory, their number made
+/// even by zeros: two nodes are one SSE2 register.
 #pragma once
 
+#include "rubato/cell/quadrature.hpp"
 #include "rubato/cell/topology.hpp"
 
 #include <Eigen/Core>
+
+#include <span>
 
 namespace rubato::element {
 
@@ -24,7 +27,21 @@ struct ReferenceGradients {
   Eigen::VectorXd centre_values;
 };
 
-/// Throws std::invalid_argument for cells without mechanics.
-const ReferenceGradients& reference_gradients(CellType type);
+/// The points at which a cell evaluates its law.
+enum class PointRule {
+  stiffness,   ///< cell::stiffness_rule
+  lower_order, ///< lower_order_rule
+  one          ///< one point with the means of the gradients over the volume: QUAD4 and HEXA8
+};
+
+/// QUAD8 and HEXA20.
+bool has_lower_order_rule(CellType type);
+
+/// Gauss points, two in each direction: x changes fastest. Throws std::invalid_argument for other cells.
+std::span<const cell::QuadraturePoint> lower_order_rule(CellType type);
+
+/// Of the points of a rule other than `one`. Throws std::invalid_argument for cells without mechanics, and
+/// for cells without such a rule.
+const ReferenceGradients& reference_gradients(CellType type, PointRule rule = PointRule::stiffness);
 
 } // namespace rubato::element

@@ -79,26 +79,8 @@ void check_enhanced(Rules& rules, const Material& material, const std::string& o
                              word_of(scheme_words, study.time.scheme), instead));
 }
 
-/// Their hourglasses give way where the material yields, of which implicit steps keep no account.
-void check_reduced(Rules& rules, const Material& material, const std::string& path) {
-  const auto& study = rules.study;
-  if (material.law == LawKind::plastic && !is_explicit(study.time.scheme))
-    rules.broken(
-        {path, "time.scheme"},
-        fmt::format("the scheme {} takes reduced cells of materials that do not yield only, expected {}",
-                    word_of(scheme_words, study.time.scheme),
-                    study.physics == Physics::plane_stress ? "full" : "mean_dilatation"));
-  else if (study.time.scheme == SchemeKind::energy_momentum)
-    rules.broken({path, "time.scheme"}, "the scheme energy_momentum takes no reduced cells, expected full");
-  if (is_heated(study, material))
-    rules.broken({path, "temperature"},
-                 "found thermal expansion of reduced cells, which follow no temperature; expected full");
-}
-
 void check_formulation(Rules& rules, const Material& material, const std::string& of_material) {
   const auto path = of_material + ".formulation";
-  if (material.formulation == Formulation::reduced)
-    check_reduced(rules, material, path);
   if (material.formulation == Formulation::enhanced)
     check_enhanced(rules, material, of_material);
   if (material.formulation == Formulation::mean_dilatation && rules.study.physics == Physics::plane_stress)
