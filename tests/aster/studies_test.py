@@ -22,7 +22,7 @@ STUDIES = {
     "frozen.comm": 12, "functions.comm": 12, "gaps.comm": 28, "gmsh.comm": 2, "groups.export": 23,
     "layers.comm": 8, "legs.comm": 4, "mortar.comm": 17, "mortar3d.export": 10, "onesided.comm": 14,
     "ortho.export": 22, "oscillator.comm": 94, "pairs.export": 17, "patch2d.export": 440, "patch3d.export": 259,
-    "press.comm": 72, "press3d.export": 175, "printing.export": 3, "quadratic.comm": 29, "relations.comm": 19,
+    "press.comm": 72, "press3d.export": 175, "printing.export": 3, "quadratic.comm": 29, "reduced.comm": 8, "relations.comm": 19,
     "restart.comm": 13, "settle.comm": 18, "sheet.comm": 24, "sheets.export": 17, "slide.comm": 23,
     "springs.comm": 18, "surfaces.export": 54, "textmesh.comm": 6, "thermal.comm": 16, "tied.comm": 8,
     "tubes.comm": 49, "yielding.comm": 20,

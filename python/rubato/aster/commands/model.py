@@ -12,10 +12,9 @@ from ..keys import (Arguments, Command, CommandError, Key, concept, factor, harm
 # ---- model -----------------------------------------------------------------------------------------------------
 
 PHYSICS = {"3D": "solid", "C_PLAN": "plane_stress", "D_PLAN": "plane_strain", "AXIS": "axisymmetric"}
+PHYSICS |= {f"{kind}_SI": physics for kind, physics in PHYSICS.items()}
 DISCRETE = ("DIS_T", "2D_DIS_T")
-_reduced = "Cells are integrated fully here: write the kind without _SI, and expect stiffer cells."
 _MISSING_KINDS = {
-    "3D_SI": _reduced, "AXIS_SI": _reduced, "C_PLAN_SI": _reduced, "D_PLAN_SI": _reduced,
     "DIS_TR": "Discrete elements have no rotations here: DIS_T.", "2D_DIS_TR": "Discrete elements: 2D_DIS_T.",
     **{kind: "There are solids only: 3D, C_PLAN, D_PLAN, AXIS." for kind in (
         "DKT", "DST", "Q4G", "COQUE_3D", "COQUE_AXIS", "POU_D_E", "POU_D_T", "POU_D_TG", "POU_D_EM", "BARRE",

@@ -15,6 +15,7 @@ from ..keys import Arguments, CommandError
 from .behaviours import Behaviour, give_behaviour, split_by_behaviour
 from .problem import Problem
 
+RUBBER = ("hyperelastic", "yeoh", "ogden")
 DIMENSION = {"point1": 0, "seg2": 1, "seg3": 1, "tria3": 2, "tria6": 2, "tria7": 2, "quad4": 2, "quad8": 2, "quad9": 2}
 
 
@@ -54,6 +55,24 @@ def choose_cells(problem: Problem) -> None:
                            f"model asks for {problem.dimension}.")
 
 
+# What _SI makes of cells; all others are integrated in full, as without it.
+REDUCED = {"quad8": "reduced", "hexa20": "reduced", "quad4": "enhanced", "hexa8": "enhanced"}
+
+
+def formulations_of_cells(problem: Problem) -> np.ndarray:
+    """The formulation that MODELISATION asks for, of each cell of the mesh; "" where it is the usual one."""
+    mesh = problem.concept.mesh
+    types = np.concatenate([np.full(len(block.nodes), REDUCED.get(block.type, "")) for block in mesh.blocks])
+    is_reduced = np.array([part.kind.endswith("_SI") for part in problem.model.parts] + [False])
+    return np.where(is_reduced[kinds_of_cells(problem)], types, "")
+
+
+def note_reduced(problem: Problem, formulations: np.ndarray) -> None:
+    if "enhanced" in formulations:
+        problem.notes.append(f"{problem.command}/MODELE: linear cells with _SI have one point and assumed strains in "
+                             "Code_Aster, 'formulation: enhanced' here; they agree on fine meshes.")
+
+
 def materials_of_cells(materials: MaterialField, cell_count: int) -> tuple[np.ndarray, list[MaterialConcept]]:
     """The material of each cell, by its place in the list; -1: none. Later ones count."""
     of_cell = np.full(cell_count, -1)
@@ -74,18 +93,30 @@ def add_materials(problem: Problem, materials: MaterialField, discrete: Discrete
         cell = problem.solid[np.flatnonzero(of_solid < 0)[0]]
         raise CommandError(f"{problem.command}/CHAM_MATER: cell {problem.concept.cell_name(int(cell))} has no "
                            "material.")
+    formulations = formulations_of_cells(problem)
+    note_reduced(problem, formulations[problem.solid])
     made = []
     for place in np.unique(of_solid):
         cells = problem.solid[of_solid == place]
         for axes, turned in split_by_axes(problem.concept, discrete, cells):
-            for behaviour, part in split_by_behaviour(of_behaviour, turned):
-                material = make_material(problem, listed[place], dynamic, axes)
-                give_behaviour(problem, material, listed[place], behaviour)
-                material.name = f"{material.name}_{len(made) + 1}"
-                material.everywhere = False
-                material.cells = [problem.cell_group(part)]
-                made.append(material)
+            for behaviour, alike in split_by_behaviour(of_behaviour, turned):
+                for formulation in np.unique(formulations[alike]):
+                    material = make_material(problem, listed[place], dynamic, axes)
+                    give_behaviour(problem, material, listed[place], behaviour)
+                    give_formulation(material, str(formulation))
+                    material.name = f"{material.name}_{len(made) + 1}"
+                    material.everywhere = False
+                    material.cells = [problem.cell_group(alike[formulations[alike] == formulation])]
+                    made.append(material)
     problem.study.materials = made
+
+
+def give_formulation(material: Any, formulation: str) -> None:
+    """Enhanced cells have no logarithmic strain and no rubber; mean dilatation is near to them there."""
+    if formulation == "enhanced" and (material.strain == "logarithmic" or material.law in RUBBER):
+        formulation = "mean_dilatation"
+    if formulation:
+        material.formulation = formulation
 
 
 def make_material(problem: Problem, concept: MaterialConcept, dynamic: bool, axes: Arguments | None) -> Any:
