@@ -111,10 +111,21 @@ def test_a_reduction_of_a_column():
     assert run("TEST_TABLE", TABLE=TABLE, NOM_PARA="DX", TYPE_TEST="MIN", VALE_CALC=-3.0)[0].holds
 
 
-def test_the_size_of_a_value():
-    (row,) = run("TEST_TABLE", TABLE=TABLE, NOM_PARA="DX", VALE_ABS="OUI", VALE_CALC=3.0,
-                 FILTRE=dict(NOM_PARA="NOEUD", VALE_K="N2"))
-    assert row.value == 3.0
+@pytest.mark.parametrize("sign", [1, -1])
+def test_vale_abs_compares_absolute_values_of_both_sides(sign):
+    own, outside = run("TEST_TABLE", TABLE=TABLE, NOM_PARA="DX", VALE_ABS="OUI", VALE_CALC=sign * 3.0,
+                       VALE_REFE=-sign * 3.0, REFERENCE="ANALYTIQUE", FILTRE=dict(NOM_PARA="NOEUD", VALE_K="N2"))
+    assert own.value == own.reference == outside.reference == 3.0 and own.holds and outside.holds
+    (row,) = run("TEST_TABLE", TABLE=TABLE, NOM_PARA="DX", TYPE_TEST="MIN", VALE_CALC=sign * 3.0)
+    assert row.holds == (sign < 0)
+
+
+def test_vale_abs_of_a_function_and_of_a_text():
+    function = TableFunction("INST", [0.0, 2.0], [0.0, -10.0])
+    (row,) = run("TEST_FONCTION", VALEUR=dict(FONCTION=function, VALE_PARA=0.5, VALE_CALC=2.5, VALE_ABS="OUI"))
+    assert row.holds
+    assert run("TEST_TABLE", TABLE=TABLE, NOM_PARA="NOEUD", VALE_CALC_K="N2", VALE_ABS="OUI",
+               FILTRE=dict(NOM_PARA="DX", CRIT_COMP="LT", VALE=0.0))[0].holds
 
 
 def test_one_row_must_remain():

@@ -13,6 +13,7 @@ from rubato.aster.keys import CommandError, check
 from rubato.aster.selection import all_values, value_in_cell
 from rubato.aster.session import Session
 from rubato.aster.shapes import DIMENSIONS, SHAPES, gauss_points, measures, reference_nodes, shape_values
+from rubato.aster.strain_fields import strain_parts
 
 COMMANDS = all_commands()
 
@@ -118,6 +119,39 @@ def test_stress_and_strain_of_a_bar(bar):
     # The shear of Code_Aster is half the engineering one: σ_xy = 2 G ε_xy, G = E/2.
     assert all_values(strain, "EPXY") == pytest.approx(all_values(stress, "SIXY") / 1000)
     assert last(result, "VARI_ELNO").components == ("V1",) and not np.any(all_values(last(result, "VARI_ELNO"), "V1"))
+
+
+KINDS = [("D_PLAN", cells) for cells in ("tria3", "tria6", "quad4", "quad8", "quad9")] + [
+    ("AXIS", "quad4"), ("AXIS", "quad8"), ("AXIS", "tria6")] + [
+    ("3D", cells) for cells in ("tetra4", "tetra10", "penta6", "penta15", "hexa8", "hexa20", "hexa27")]
+
+
+@pytest.mark.parametrize("kind, cells", KINDS)
+def test_strains_of_the_displacement_are_those_of_small_strain(session, kind, cells):
+    """EPSI from the displacement equals the strain that the law sees, at Gauss points and extrapolated to nodes; the
+    others differ by squares of the strain."""
+    dimension = 3 if kind == "3D" else 2
+    mesh = MeshConcept(rubato.generate([rubato.Body(
+        name="B", dimension=dimension, from_=(1, 0, 0), to=(2, 1, 1 if dimension == 3 else 0), cells=cells,
+        divisions=(2, 1, 1), sides={"bottom": "LOW", "top": "HIGH", "left": "IN"})]))
+    points = np.array(mesh.mesh.points)
+    points[:, :dimension] += 0.03 * np.sin(7 * points[:, :dimension].sum(axis=1))[:, None]
+    mesh.replace(mesh.mesh.with_points(points))
+    model = call(session, "AFFE_MODELE", MAILLAGE=mesh, AFFE=dict(TOUT="OUI", PHENOMENE="MECANIQUE", MODELISATION=kind))
+    steel = call(session, "DEFI_MATERIAU", ELAS=dict(E=1000.0, NU=0.3))
+    material = call(session, "AFFE_MATERIAU", MAILLAGE=mesh, AFFE=dict(TOUT="OUI", MATER=steel))
+    held = {name: 0.0 for name in ("DX", "DY", "DZ")[:dimension]}
+    load = call(session, "AFFE_CHAR_MECA", MODELE=model, DDL_IMPO=dict(GROUP_MA="LOW", **held),
+                **{"FORCE_FACE" if dimension == 3 else "FORCE_CONTOUR": dict(GROUP_MA="HIGH", FX=1e-2, FY=2e-2)})
+    result = call(session, "MECA_STATIQUE", MODELE=model, CHAM_MATER=material, EXCIT=dict(CHARGE=load))
+    for place in ("ELGA", "ELNO"):
+        own = last(result, f"EPSI_{place}")
+        size = max(np.max(np.abs(part.values)) for part in own.parts)
+        for measure, error in (("EPSI", 1e-12), ("EPSG", 30 * size**2), ("EPSL", 30 * size**2)):
+            for one, two in zip(strain_parts(result.stored[-1], measure, place), own.parts, strict=True):
+                assert one.cells.tolist() == two.cells.tolist()
+                assert np.max(np.abs(one.values - two.values)) <= max(error, 1e-10 * size)
+    assert last(result, "EPSL_NOEU").components == last(result, "EPSI_NOEU").components
 
 
 def test_reactions_of_a_bar(bar):

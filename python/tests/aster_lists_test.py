@@ -1,17 +1,22 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Lists of numbers and instants: DEFI_LIST_REEL, DEFI_LIST_ENTI, DEFI_LIST_INST."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
 from rubato.aster.commands.lists import COMMANDS
-from rubato.aster.concepts import Cuts, RealList
+from rubato.aster.concepts import Cuts, RealList, Result, Stored
 from rubato.aster.keys import CommandError, check
+
+
+NOTES: list[str] = []
 
 
 def call(name, **given):
     command = next(row for row in COMMANDS if row.name == name)
-    return command.run(None, check(command, given))
+    return command.run(SimpleNamespace(note=NOTES.append), check(command, given))
 
 
 def reals(**given):
@@ -78,12 +83,36 @@ def test_cuts():
     assert instants(DEFI_LIST=where, ECHEC=several).cuts.parts == 5
 
 
+@pytest.mark.parametrize("echec, cuts, bounds", [
+    (dict(EVENEMENT="COLLISION", SUBD_METHODE="AUTO", SUBD_INST=1e-3, SUBD_DUREE=0.1), Cuts(), False),
+    (dict(EVENEMENT="INTERPENETRATION", PENE_MAXI=1e-6, ACTION="ADAPT_COEF_PENA", COEF_MAXI=1e9), Cuts(), True),
+    ((dict(EVENEMENT="ERREUR", SUBD_PAS=2), dict(EVENEMENT="COLLISION")), Cuts(parts=2), False),
+    (dict(EVENEMENT="RESI_MAXI", RESI_GLOB_MAXI=1e5, ACTION="CONTINUE"), Cuts(), False),
+    (dict(ACTION="ITER_SUPPL", PCENT_ITER_PLUS=30), Cuts(), False),
+])
+def test_events(echec, cuts, bounds):
+    NOTES.clear()
+    made = instants(DEFI_LIST=dict(VALE=(0, 1, 2), METHODE="AUTO", PAS_MINI=1e-6, NB_PAS_MAXI=99), METHODE="AUTO",
+                    ECHEC=echec, ADAPTATION=dict(EVENEMENT="SEUIL"))
+    assert made.Valeurs() == [0.0, 1.0, 2.0]
+    assert (made.cuts, made.bounds_penetration) == (cuts, bounds)
+    assert "METHODE='AUTO' is solved as MANUEL" in NOTES[0]
+    assert any("INTERPENETRATION" in note for note in NOTES) == bounds
+
+
+def test_instants_of_a_result_are_divided():
+    result = Result("EVOL_NOLI", None)
+    result.stored = [Stored(0, 0.0), Stored(1, 1.0), Stored(2, 3.0)]
+    assert instants(DEFI_LIST=dict(RESULTAT=result, SUBD_PAS=2)).Valeurs() == [0.0, 0.5, 1.0, 2.0, 3.0]
+    with pytest.raises(CommandError, match="two states"):
+        instants(DEFI_LIST=dict(RESULTAT=Result("EVOL_NOLI", None)))
+
+
 @pytest.mark.parametrize("given, what", [
-    ({"DEFI_LIST": {"VALE": (0, 1), "METHODE": "AUTO"}}, "MANUEL"),
-    ({"DEFI_LIST": {"VALE": (0, 1)}, "ECHEC": {"EVENEMENT": "COLLISION"}}, "COLLISION"),
+    ({"DEFI_LIST": {"VALE": (0, 1)}, "ECHEC": {"EVENEMENT": "DELTA_GRANDEUR"}}, "DELTA_GRANDEUR"),
+    ({"DEFI_LIST": {"VALE": (0, 1), "LIST_INST": RealList([0, 1])}}, "one of LIST_INST"),
     ({"DEFI_LIST": {"VALE": (1, 0)}}, "ascend"), ({"DEFI_LIST": {}}, "LIST_INST"), ({}, "DEFI_LIST"),
     ({"DEFI_LIST": {"VALE": (0, 1)}, "ECHEC": {"SUBD_PAS": 1}}, "at least 2"),
-    ({"DEFI_LIST": {"VALE": (0, 1)}, "ADAPTATION": {"EVENEMENT": "SEUIL"}}, "ADAPTATION"),
 ])
 def test_faulty_instants(given, what):
     with pytest.raises(CommandError, match=what):

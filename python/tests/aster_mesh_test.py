@@ -223,6 +223,61 @@ def test_uniform_refinement(session, squares):
              MAILLAGE_NP1=SimpleNamespace(name="X"))
 
 
+def two_bodies(session, cells):
+    """A square of 2 × 1 cells, one of 1 × 1 that does not touch it, a skin of each, a free line and a point."""
+    sides = {"left": "L", "top": "T"}
+    builder = rubato.MeshBuilder(2)
+    builder.append(rubato.generate([
+        rubato.Body(name=name, dimension=2, from_=(x, 0, 0), to=(x + 1, 1, 0), divisions=(count, 1, 1), cells=cells,
+                    sides={key: name + side for key, side in sides.items()}, points={"left_bottom": name + "P"})
+        for name, x, count in (("A", 0, 2), ("B", 3, 1))]))
+    ends = builder.add_nodes(np.array([[0.0, 9.0, 0.0], [1.0, 9.0, 0.0]]))
+    builder.add_to_cell_group("LINE", [builder.add_cell("seg2", [int(end) for end in ends])])
+    builder.add_to_cell_group("POINT", [builder.add_cell("point1", [int(ends[0])])])
+    return MeshConcept(builder.build())
+
+
+@pytest.mark.parametrize("cells, area_cells", [("quad4", 1), ("quad8", 1), ("tria3", 2), ("tria6", 2)])
+def test_groups_are_refined_with_their_skins_and_the_rest_stays(session, cells, area_cells):
+    mesh = two_bodies(session, cells)
+    call(session, "MACR_ADAP_MAIL", ADAPTATION="RAFFINEMENT_UNIFORME", MAILLAGE_N=mesh, GROUP_MA=("A", "POINT"),
+         MAILLAGE_NP1=SimpleNamespace(name="FINE"))
+    fine = session.made["FINE"]
+    counts = {name: len(fine.cells_in(name)) for name in ("A", "AL", "AT", "B", "BL", "BT", "LINE", "POINT")}
+    assert counts == {"A": 8 * area_cells, "AL": 2, "AT": 4, "B": area_cells, "BL": 1, "BT": 1, "LINE": 1, "POINT": 1}
+    assert np.allclose(fine.mesh.points[:mesh.mesh.node_count], mesh.mesh.points)
+    assert fine.nodes_in("BP").tolist() == mesh.nodes_in("BP").tolist()
+    whole = call(session, "CREA_MAILLAGE", MAILLAGE=two_bodies(session, cells), RAFFINEMENT=dict(TOUT="OUI", NIVEAU=1))
+    assert np.sort(fine.mesh.points[fine.nodes_of_cells(fine.cells_in("A"))], axis=0) == pytest.approx(
+        np.sort(whole.mesh.points[whole.nodes_of_cells(whole.cells_in("A"))], axis=0))
+    # A line that bounds nothing is refined by its name alone.
+    call(session, "MACR_ADAP_MAIL", ADAPTATION="RAFFINEMENT_UNIFORME", MAILLAGE_N=mesh, GROUP_MA="LINE",
+         MAILLAGE_NP1=SimpleNamespace(name="LINES"))
+    assert (len(session.made["LINES"].cells_in("LINE")), len(session.made["LINES"].cells_in("A"))) == (2, 2 * area_cells)
+
+
+def test_a_part_of_a_body_is_not_refined(session, squares):
+    for group in ("UPPER", "LEFT"):
+        with pytest.raises(CommandError, match="cell K1 shares edges with cells of"):
+            call(session, "MACR_ADAP_MAIL", ADAPTATION="RAFFINEMENT_UNIFORME", MAILLAGE_N=squares, GROUP_MA=group,
+                 MAILLAGE_NP1=SimpleNamespace(name="X"))
+    call(session, "MACR_ADAP_MAIL", ADAPTATION="RAFFINEMENT_UNIFORME", MAILLAGE_N=squares, GROUP_MA="BODY",
+         MAILLAGE_NP1=SimpleNamespace(name="FINE"))
+    assert session.made["FINE"].mesh.cell_count == 14
+
+
+@pytest.mark.parametrize("cells", ["hexa8", "hexa20", "hexa27", "tetra4", "tetra10", "penta6", "penta15"])
+def test_a_body_in_space_is_refined_by_its_group(session, cells):
+    mesh = MeshConcept(rubato.generate([
+        rubato.Body(name=name, dimension=3, from_=(0, 0, z), to=(1, 1, z + 1), divisions=(1, 1, 1), cells=cells,
+                    sides={"top": name + "T"}) for name, z in (("A", 0), ("B", 2))]))
+    call(session, "MACR_ADAP_MAIL", ADAPTATION="RAFFINEMENT_UNIFORME", MAILLAGE_N=mesh, GROUP_MA="A",
+         MAILLAGE_NP1=SimpleNamespace(name="FINE"))
+    fine = session.made["FINE"]
+    for name, factor in (("A", 8), ("AT", 4), ("B", 1), ("BT", 1)):
+        assert len(fine.cells_in(name)) == factor * len(mesh.cells_in(name))
+
+
 def test_names_of_outputs_become_meshes(tmp_path):
     (tmp_path / "mesh.mail").write_text(SQUARES)
     (tmp_path / "study.comm").write_text("""

@@ -69,13 +69,13 @@ def test_everything_that_is_not_available_is_listed_with_its_line(tmp_path):
 x = DEFI_LIST_REEL(DEBUT=0., INTERVALLE=_F(JUSQU_A=1., NOMBRES=2))
 y = AFFE_CHAR_MECAA(MODELE=1)
 z = STAT_NON_LINE(COMPORTEMENT=(_F(RELATION='ELAS',
-                                   DEFORMATION='PETIT_REAC'),))
+                                   DEFORMATION='EULER_ALMANSI'),))
 FIN()
 """)
     assert found == ["2: DEFI_LIST_REEL/INTERVALLE: keyword NOMBRES is not available. Did you mean NOMBRE?",
                      "3: command AFFE_CHAR_MECAA is not available. Did you mean AFFE_CHAR_MECA?",
-                     "5: STAT_NON_LINE/COMPORTEMENT/DEFORMATION: 'PETIT_REAC' is not available. "
-                     "Strains here: PETIT, GROT_GDEP, GDEF_LOG."]
+                     "5: STAT_NON_LINE/COMPORTEMENT/DEFORMATION: 'EULER_ALMANSI' is not available. "
+                     "Strains here: PETIT, PETIT_REAC, GROT_GDEP, GDEF_LOG."]
 
 
 def test_own_functions_in_capitals_are_no_commands(tmp_path):

@@ -54,11 +54,26 @@ def stack(below: Sequence[int], above: Sequence[int], cells: str = "quad4", cell
     return rubato.generate([lower, upper])
 
 
+def two_rings() -> rubato.Mesh:
+    """Two rings of one cell each, radius 1 to 3, on one another, in an axial section."""
+    return rubato.generate([
+        rectangle("LOWER", (1, 0), (3, 1), (1, 1), sides=LOWER),
+        rectangle("UPPER", (1, 1), (3, 2), (1, 1), sides=UPPER, points={"left_bottom": "SL", "right_bottom": "SR"})])
+
+
 def boxes(below: Sequence[int], above: Sequence[int], cells: str = "hexa8", cells_above: str = "") -> rubato.Mesh:
     """The same in space, of unit cubes."""
     lower = box("LOWER", (0, 0, 0), (1, 1, 1), below, cells, sides={**LOWER, **DEPTH})
     upper = box("UPPER", (0, 1, 0), (1, 2, 1), above, cells_above or cells, sides={**UPPER, **DEPTH},
                 points={"left_top_back": "TL"})
+    return rubato.generate([lower, upper])
+
+
+def cubes_with_edges() -> rubato.Mesh:
+    """Two cubes of one cell on one another; two lower edges of the upper one are lines."""
+    lower = box("LOWER", (0, 0, 0), (1, 1, 1), (1, 1, 1), sides={**LOWER, **DEPTH})
+    upper = box("UPPER", (0, 1, 0), (1, 2, 1), (1, 1, 1), sides={**UPPER, **DEPTH}, points={"left_top_back": "TL"},
+                edges={"left_bottom": "EDGES", "right_bottom": "EDGES"})
     return rubato.generate([lower, upper])
 
 
@@ -219,7 +234,7 @@ SOLIDS = ("hexa8", "hexa20", "hexa27", "tetra4", "tetra10", "penta6", "penta15")
 FACES = ("hexa8", "hexa20", "hexa27", "tetra10", "penta6", "penta15")
 PRESSED = ("hexa8", "hexa20", "hexa27", "tetra4", "tetra10")
 # Studies of one square cell.
-UNIT_SQUARES = ("one", "relations", "oscillator", "damping", "explicit", "errors", "excit")
+UNIT_SQUARES = ("one", "watched", "relations", "oscillator", "damping", "explicit", "errors", "excit")
 PLANES = ("quad4", "quad8", "quad9", "tria3", "tria6")
 
 MESHES: dict[str, Callable[[], rubato.Mesh]] = {
@@ -245,6 +260,15 @@ MESHES: dict[str, Callable[[], rubato.Mesh]] = {
     "springs.med": two_bars_and_springs,
     "legs.med": cube_with_legs,
     "tied.med": tied_bars,
+    "choices.med": lambda: stack((1, 1), (1, 1)),
+    "stops.med": lambda: one_rectangle((2, 1), (4, 2)),
+    "cook.med": lambda: one_box((1, 1, 1), (1, 1, 1)),
+    "ring.med": two_rings,
+    "edges.med": cubes_with_edges,
+    "column.med": lambda: boxes((2, 1, 2), (2, 1, 2)),
+    "views.med": lambda: one_box((1, 1, 1), (2, 1, 1), "hexa20"),
+    "turning.med": lambda: one_box((1, 1, 1), (2, 2, 2)),
+    "refined.med": lambda: stack((1, 1), (1, 1)),
     "form15.med": lambda: one_box((1, 1, 1), (2, 2, 2)),
     **{f"{kind}.med": lambda kind=kind: sliding_cube(kind) for kind in FACES},
     "settle.med": lambda: stack((2, 1), (2, 1), gap=0.01),

@@ -17,15 +17,16 @@ import meshes
 HERE = Path(__file__).parent
 # The studies, and how many values each compares with a number from outside (VALE_REFE).
 STUDIES = {
-    "bar.comm": 22, "damping.comm": 15, "errors.comm": 2, "excit.comm": 140, "excluded.comm": 13,
-    "explicit.comm": 12, "failing.comm": 1, "fields.comm": 25, "form15.comm": 3, "friction.comm": 60,
-    "frozen.comm": 12, "functions.comm": 12, "gaps.comm": 28, "gmsh.comm": 2, "groups.export": 23,
-    "layers.comm": 8, "legs.comm": 4, "mortar.comm": 17, "mortar3d.export": 10, "onesided.comm": 14,
-    "ortho.export": 22, "oscillator.comm": 94, "pairs.export": 17, "patch2d.export": 440, "patch3d.export": 259,
-    "press.comm": 72, "press3d.export": 175, "printing.export": 3, "quadratic.comm": 29, "reduced.comm": 8, "relations.comm": 19,
-    "restart.comm": 13, "settle.comm": 18, "sheet.comm": 24, "sheets.export": 17, "slide.comm": 23,
-    "springs.comm": 18, "surfaces.export": 54, "textmesh.comm": 6, "thermal.comm": 16, "tied.comm": 8,
-    "tubes.comm": 49, "yielding.comm": 20,
+    "bar.comm": 22, "choices.comm": 29, "column.comm": 24, "cook.comm": 6, "damping.comm": 15, "edges.comm": 12,
+    "errors.comm": 2, "excit.comm": 140, "excluded.comm": 13, "explicit.comm": 12, "failing.comm": 1,
+    "fields.comm": 25, "form15.comm": 3, "friction.comm": 60, "frozen.comm": 12, "functions.comm": 12,
+    "gaps.comm": 28, "gmsh.comm": 2, "groups.export": 23, "layers.comm": 8, "legs.comm": 4, "mortar.comm": 17,
+    "mortar3d.export": 10, "onesided.comm": 14, "ortho.export": 22, "oscillator.comm": 94, "pairs.export": 17,
+    "patch2d.export": 440, "patch3d.export": 259, "press.comm": 72, "press3d.export": 175, "printing.export": 3,
+    "quadratic.comm": 29, "reduced.comm": 8, "refined.comm": 15, "relations.comm": 19, "restart.comm": 13,
+    "ring.comm": 8, "settle.comm": 18, "sheet.comm": 24, "sheets.export": 17, "slide.comm": 23, "springs.comm": 18,
+    "stops.comm": 6, "surfaces.export": 54, "textmesh.comm": 6, "thermal.comm": 16, "tied.comm": 8, "tubes.comm": 49,
+    "turning.comm": 80, "views.comm": 7, "watched.comm": 27, "yielding.comm": 20,
 }
 COUNT = re.compile(r"outside references \(VALE_REFE\): (\d+) of (\d+) hold")
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
@@ -11,7 +12,7 @@ import numpy as np
 
 import rubato
 
-from .extracted import ExtractedComponent, component_at_nodes, component_in_cells
+from .extracted import ExtractedComponent, ExtractedTable, component_at_nodes, component_in_cells
 from .keys import Arguments, CommandError, nearest
 
 
@@ -258,11 +259,13 @@ class Cuts:
 
 
 class TimeList(RealList):
-    """DEFI_LIST_INST: instants, and how steps between them are cut."""
+    """DEFI_LIST_INST has instants and the rule that cuts steps between them. With `bounds_penetration` Code_Aster raises
+    the penalties of contact until penetrations are small."""
 
-    def __init__(self, values: Any, cuts: Cuts):
+    def __init__(self, values: Any, cuts: Cuts, bounds_penetration: bool = False):
         super().__init__(values)
         self.cuts = cuts
+        self.bounds_penetration = bounds_penetration
 
 
 # ---- models and materials ------------------------------------------------------------------------------------
@@ -402,8 +405,10 @@ class Result(Named):
         self.model = model
         self.stored: list[Stored] = []
         self.observations: list[dict[str, Any]] = []
+        self.parameters: list[dict[str, Any]] = []  # PARA_CALC, one row a step
         self.calculated: list[str] = []  # fields that CALC_CHAMP named
         self.cache: dict[tuple[str, int], Any] = {}
+        self.solved_within: dict[float, list[Stored]] = {}  # states within steps, by instant
 
     def orders(self) -> list[int]:
         return [stored.order for stored in self.stored]
@@ -423,11 +428,22 @@ class Result(Named):
         if instant == 0 and criterion == "RELATIF":
             allowed = precision
         close = [stored for stored in self.stored if abs(stored.instant - instant) <= allowed]
+        close = close or self._between(instant)
         if len(close) != 1:
             found = "no state" if not close else f"{len(close)} states"
             raise CommandError(f"result {self.name} has {found} at instant {instant:g}; it has "
                                f"{_range(self.instants())}.")
         return close[0]
+
+    def _between(self, instant: float) -> list[Stored]:
+        """Returns the state at an instant within a step if steps may be cut. It is solved from the state before and not
+        stored, so that orders stay."""
+        for before, after in itertools.pairwise(self.stored):
+            if before.instant < instant < after.instant and after.solved is not None and after.solved.within is not None:
+                if instant not in self.solved_within:
+                    self.solved_within[instant] = after.solved.within(before, after, instant)
+                return self.solved_within[instant]
+        return []
 
     # Code_Aster's Python methods
     def LIST_VARI_ACCES(self) -> dict[str, list[Any]]:
@@ -462,32 +478,3 @@ class TableConcept(Named):
 
     def EXTR_TABLE(self) -> ExtractedTable:
         return ExtractedTable(self)
-
-
-class TableColumn(list[Any]):
-    """A column of an extracted table: a list that also has `values()`."""
-
-    def values(self) -> list[Any]:
-        return list(self)
-
-
-class ExtractedTable:
-    """What EXTR_TABLE gives: `rows`, `values()`, columns by attribute."""
-
-    def __init__(self, table: TableConcept):
-        self.rows = [dict(row) for row in table.rows]
-        self.para = list(table.columns)
-
-    def values(self) -> dict[str, list[Any]]:
-        return {column: [row.get(column) for row in self.rows] for column in self.para}
-
-    def __getitem__(self, column: str) -> TableColumn:
-        return TableColumn(self.values()[column])
-
-    def __getattr__(self, column: str) -> TableColumn:
-        if column.startswith("_") or column not in self.para:
-            raise AttributeError(column)
-        return self[column]
-
-    def __len__(self) -> int:
-        return len(self.rows)

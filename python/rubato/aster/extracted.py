@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""EXTR_COMP: what Python in command files reads of fields."""
+"""EXTR_COMP and EXTR_TABLE give values of fields and tables to Python in command files."""
 
 from __future__ import annotations
 
@@ -58,3 +58,49 @@ def component_in_cells(field: Any, component: str, groups: Any, places: bool) ->
 def _union(groups: list[np.ndarray], count: int) -> np.ndarray:
     """Ascending, without repeats; everything where there are no groups."""
     return np.unique(np.concatenate(groups)) if groups else np.arange(count)
+
+
+class TableColumn(list[Any]):
+    """A column of an extracted table: a list that also has `values()`."""
+
+    def values(self) -> list[Any]:
+        return list(self)
+
+
+class ExtractedTable:
+    """What EXTR_TABLE gives: `rows`, `values()`, columns by attribute."""
+
+    def __init__(self, table: Any):
+        self.rows = [dict(row) for row in table.rows]
+        self.para = list(table.columns)
+        self.titr = table.title
+
+    def append(self, row: dict[str, Any]) -> None:
+        self.rows.append(dict(row))
+        self.para += [name for name in row if name not in self.para]
+
+    def dict_CREA_TABLE(self) -> dict[str, Any]:
+        """Returns the keywords of CREA_TABLE that make this table."""
+        lists = []
+        for name in self.para:
+            lines = [i for i, row in enumerate(self.rows, 1) if row.get(name) is not None]
+            values = [self.rows[i - 1][name] for i in lines]
+            kind = "K" if any(isinstance(value, str) for value in values) else \
+                "I" if all(isinstance(value, int) for value in values) else "R"
+            if values:
+                lists.append({"PARA": name, f"LISTE_{kind}": values, "NUME_LIGN": lines})
+        return {"LISTE": lists, "TITRE": self.titr or None}
+
+    def values(self) -> dict[str, list[Any]]:
+        return {column: [row.get(column) for row in self.rows] for column in self.para}
+
+    def __getitem__(self, column: str) -> TableColumn:
+        return TableColumn(self.values()[column])
+
+    def __getattr__(self, column: str) -> TableColumn:
+        if column.startswith("_") or column not in self.para:
+            raise AttributeError(column)
+        return self[column]
+
+    def __len__(self) -> int:
+        return len(self.rows)

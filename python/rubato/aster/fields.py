@@ -14,6 +14,7 @@ from .frames import (STRAIN_INVARIANTS, STRESS_INVARIANTS, strain_invariants, st
 from .keys import CommandError, nearest
 from .mesh_parts import blocks_with, nodes_of_part, points_of
 from .shapes import gauss_points, point_order, shape_values
+from .strain_fields import MEASURES, strain_parts
 
 DISPLACEMENTS = ("DX", "DY", "DZ")
 AXES = ("X", "Y", "Z")
@@ -26,14 +27,19 @@ TENSORS = {
     "SIGM": ("stress", "SI", "SIEF_R"),
     "EPSI": ("strain", "EP", "EPSI_R"),
     "EPME": ("strain", "EP", "EPSI_R"),
+    "EPSG": ("", "EP", "EPSI_R"),
+    "EPMG": ("", "EP", "EPSI_R"),
+    "EPSL": ("", "EP", "EPSI_R"),
+    "EPSP": ("plastic_strain", "EP", "EPSI_R"),
 }
 INVARIANTS: dict[str, tuple[str, str, tuple[str, ...], Callable[[np.ndarray], np.ndarray]]] = {
     "SIEQ": ("SIEF", "SIEF_R", STRESS_INVARIANTS, stress_invariants),
     "EPEQ": ("EPSI", "EPSI_R", STRAIN_INVARIANTS, strain_invariants),
     "EPMQ": ("EPME", "EPSI_R", STRAIN_INVARIANTS, strain_invariants),
+    "EPGQ": ("EPSG", "EPSI_R", STRAIN_INVARIANTS, strain_invariants),
 }
 CELL_PLACES = ("ELGA", "ELNO", "NOEU")
-LETTERS = {"SIEQ": "SI", "EPEQ": "EP", "EPMQ": "EP"}
+LETTERS = {"SIEQ": "SI", "EPEQ": "EP", "EPMQ": "EP", "EPGQ": "EP"}
 
 
 def field_of(result: Result, stored: Stored, name: str) -> NodalField | CellField:
@@ -174,13 +180,16 @@ NODAL: dict[str, Callable[[Result, Stored], NodalField]] = {
 def tensor_field(result: Result, stored: Stored, kind: str, place: str) -> NodalField | CellField:
     if place == "NOEU":
         return nodal_mean(_in_cells(result, stored, f"{kind}_ELNO"))
-    if kind == "EPME" and stored.solved.materials.variables:
+    if kind in ("EPME", "EPMG") and stored.solved.materials.variables:
         raise CommandError(f"field {kind}_{place} of result {result.name} is not available with temperatures.")
     source, letters, quantity = TENSORS[kind]
     pairs = PLANE_PAIRS if stored.solved.mesh.dimension == 2 else SPACE_PAIRS
     columns = [column for _, column in pairs]
-    parts = [CellPart(cells, values[..., columns]) for cells, values in
-             placed_values(stored, f"{source}_{place.lower()}", place)]
+    if kind in MEASURES and (not source or stored.solved.large_strain):
+        parts = strain_parts(stored, kind, place)
+    else:
+        parts = [CellPart(cells, values[..., columns]) for cells, values in
+                 placed_values(stored, f"{source}_{place.lower()}", place)]
     return CellField(stored.solved.mesh, place, quantity, tuple(letters + pair for pair, _ in pairs), parts)
 
 

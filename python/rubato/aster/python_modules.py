@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Modules that command files import: `aster` (the supervisor's exceptions), `code_aster` (the form of 15.x), and a few
-of Code_Aster's own of which files take names only."""
+"""Command files import these modules: `aster` (the supervisor's exceptions), `code_aster` (the form of 15.x), `aster_core`
+and parts of `Utilitai`."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ import types
 import unittest
 from typing import Any
 
+from .concepts import TableConcept
+from .extracted import ExtractedTable
 from .keys import CommandError
 
 
@@ -60,4 +62,41 @@ def install_modules(names: dict[str, Any]) -> None:
     root.TestCase = TestCase  # type: ignore[attr-defined]
     root.AsterError = CommandError  # type: ignore[attr-defined]
     root.__path__ = []  # type: ignore[attr-defined]
-    sys.modules.update({"aster": aster, "code_aster": root, "code_aster.Commands": commands})
+    aster.matfpe = lambda *values: None  # type: ignore[attr-defined]
+    aster.affiche = lambda unit, text="": print(text)  # type: ignore[attr-defined]
+    sys.modules.update({"aster": aster, "code_aster": root, "code_aster.Commands": commands, **own_modules()})
+
+
+def own_modules() -> dict[str, types.ModuleType]:
+    """Returns `aster_core` of a single process, and messages and tables of Utilitai."""
+    core = types.ModuleType("aster_core")
+    core.__dict__.update({
+        "_NO_EXPIR": 1, "_POSIX": 1, "_USE_64_BITS": 1, "_USE_OPENMP": 0, "_USE_MPI": 0, "ASTER_INT_SIZE": 8,
+        "matfpe": lambda *values: None, "get_option": lambda name: None,
+        "get_mem_stat": lambda *names: (0.0,) * len(names),
+        "set_mem_stat": lambda *values: 0, "MPI_CommRankSize": lambda: (0, 1), "MPI_Barrier": lambda *values: None,
+    })
+    messages = types.ModuleType("Utilitai.Utmess")
+    messages.UTMESS = message  # type: ignore[attr-defined]
+    tables = types.ModuleType("Utilitai.Table")
+    tables.Table = table_of  # type: ignore[attr-defined]
+    utilities = types.ModuleType("Utilitai")
+    utilities.Utmess, utilities.Table = messages, tables  # type: ignore[attr-defined]
+    utilities.__path__ = []
+    return {"aster_core": core, "Utilitai": utilities, "Utilitai.Utmess": messages, "Utilitai.Table": tables}
+
+
+def table_of(rows: Any = (), para: Any = (), typ: Any = (), titr: str = "", nom: str = "") -> ExtractedTable:
+    """Returns a table of these rows, dicts of columns. `para` orders the columns."""
+    columns = list(para) or list(dict.fromkeys(name for row in rows for name in row))
+    return ExtractedTable(TableConcept(columns, list(rows), titr))
+
+
+def message(code: str, number: str, valk: Any = (), vali: Any = (), valr: Any = (), **more: Any) -> None:
+    """UTMESS. Raises CommandError with this number for errors (E, F, S, Z); prints information and alarms."""
+    values = [value for given in (valk, vali, valr)
+              for value in (given if isinstance(given, (list, tuple)) else [given])]
+    text = " ".join([number, *map(str, values)])
+    if code[:1] in "EFSZ":
+        raise CommandError(text, number)
+    print(text)

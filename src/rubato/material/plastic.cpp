@@ -179,7 +179,9 @@ bool respond_with(const Kind& kind, const Plastic& law, const Strain6& strain, s
   trial.y = trial.s - backs.sum(0);
   trial.q = equivalent(trial.y);
   const double resistance = yield(kind, old[place_of_p], 0, step).stress;
-  if (trial.q - resistance > nearly_yielding * resistance) {
+  // Fields evaluate the stress of a state by a step of length 0. Rates are infinite then: nothing flows.
+  const bool holds = depends_on_rate(kind) && step.length == 0;
+  if (!holds && trial.q - resistance > nearly_yielding * resistance) {
     if (!flow_to(kind, elastic, backs, trial, old, now, step, want, out))
       return false;
   } else {

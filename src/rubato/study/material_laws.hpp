@@ -109,8 +109,10 @@ inline constexpr std::array ogden_numbers{hyperelastic_bulk, hyperelastic_poisso
 inline constexpr std::array strains_of_elastic{StrainKind::small, StrainKind::green_lagrange,
                                                StrainKind::logarithmic};
 inline constexpr std::array strains_of_orthotropic{StrainKind::small, StrainKind::green_lagrange};
-/// Of laws with a memory: green_lagrange is no measure of plastic or viscous strain.
-inline constexpr std::array strains_with_memory{StrainKind::small, StrainKind::logarithmic};
+/// Plastic strains must be small with green_lagrange: only then does the strain split into a sum of parts.
+inline constexpr std::array strains_of_plastic{StrainKind::small, StrainKind::green_lagrange,
+                                               StrainKind::logarithmic};
+inline constexpr std::array strains_of_prony{StrainKind::small, StrainKind::logarithmic};
 inline constexpr std::array strains_of_hyperelastic{StrainKind::green_lagrange};
 
 inline constexpr std::array<LawEntry, 7> material_laws{{
@@ -136,7 +138,7 @@ inline constexpr std::array<LawEntry, 7> material_laws{{
      .summary = "von Mises plasticity with isotropic and kinematic hardening",
      .numbers = elastic_numbers,
      .in_place = false,
-     .strains = strains_with_memory,
+     .strains = strains_of_plastic,
      .faults = nullptr},
     {.law = LawKind::prony,
      .name = "prony",
@@ -144,7 +146,7 @@ inline constexpr std::array<LawEntry, 7> material_laws{{
      .summary = "linear viscoelasticity of the shear by a Prony series",
      .numbers = prony_numbers,
      .in_place = false,
-     .strains = strains_with_memory,
+     .strains = strains_of_prony,
      .faults = nullptr},
     {.law = LawKind::hyperelastic,
      .name = "hyperelastic",

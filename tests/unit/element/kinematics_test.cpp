@@ -61,6 +61,30 @@ TEST(Kinematics, HasTheDerivativeOfPWhateverTheStretches) {
       EXPECT_LT(error_of_moduli(kind, motion(stretches)), 1e-8) << stretches.transpose();
 }
 
+/// P of F → R F is R P, also after steps in which the point yields.
+TEST(Kinematics, TurnsTheStressesOfABodyThatYields) {
+  const Matrix3d turn = Eigen::Quaterniond(0.2, 0.8, -0.4, 0.3).normalized().toRotationMatrix();
+  for (const auto kind : {StrainKind::green_lagrange, StrainKind::logarithmic}) {
+    std::array<double, 7> state{};
+    for (const double size : {0.02, 0.05}) {
+      const Matrix3d h = motion(Vector3d(1 + size, 1 - size / 2, 1 + size / 4));
+      const Matrix3d turned = turn * gradient_of(h) - Matrix3d::Identity();
+      std::array<double, 7> now{}, of_turned{};
+      Deformation plain{h, {}}, rotated{turned, {}};
+      material::Response response, response_of_turned;
+      respond(law, strain_of(kind, plain), state, now, {1}, material::Want::stress, response);
+      respond(law, strain_of(kind, rotated), state, of_turned, {1}, material::Want::stress,
+              response_of_turned);
+      const Matrix3d piola = first_piola(kind, plain, response.stress);
+      EXPECT_GT(now[6], state[6]);
+      EXPECT_NEAR(of_turned[6], now[6], 1e-15);
+      EXPECT_LT((first_piola(kind, rotated, response_of_turned.stress) - turn * piola).norm(),
+                1e-12 * piola.norm());
+      state = now;
+    }
+  }
+}
+
 TEST(Kinematics, KeepsTheDigitsOfSmallStrains) {
   const Vector3d small(1e-9, -2e-9, 3e-9);
   for (const auto kind : {StrainKind::small, StrainKind::green_lagrange, StrainKind::logarithmic}) {

@@ -78,6 +78,17 @@ TEST(JohnsonCook, TheFirstGrowthIsFoundHoweverSmall) {
   }
 }
 
+TEST(JohnsonCook, AStepOfNoLengthKeepsTheStress) {
+  PointPath path(plastic(steel));
+  ASSERT_TRUE(path.pull(0.05, 1e-6));
+  const auto stress = path.response().stress;
+  const double p = path.p();
+  ASSERT_GT(stress[0], 1.1 * (792 + 510 * std::pow(p, 0.26))) << "the rate counts";
+  ASSERT_TRUE(path.to_strain(path.strain(), 0));
+  EXPECT_LT((path.response().stress - stress).norm(), 1e-12 * stress.norm());
+  EXPECT_EQ(path.p(), p);
+}
+
 TEST(JohnsonCook, RandomStepsStayFinite) {
   std::mt19937 engine(4);
   PointPath path(plastic(steel));

@@ -186,6 +186,16 @@ TEST(PlasticFields, HaveTrueStressesOfLargeStrains) {
   expect_fields(DrawnBar(study::StrainKind::logarithmic), expected_fields(stress, strain, p, narrowing));
 }
 
+/// The law gives second Piola's stress S of E. The true stress is σ = λ₁² S/J with stretches λ = √(1 + 2 E).
+TEST(PlasticFields, HaveTrueStressesOfLargeRotations) {
+  const double strain = (1.01 * 1.01 - 1) / 2;
+  const double p = (young * strain - yield_stress) / (young + modulus);
+  const double piola = yield_stress + modulus * p;
+  const double narrowing = -poisson * piola / young - p / 2;
+  const double stress = 1.01 * piola / (1 + 2 * narrowing);
+  expect_fields(DrawnBar(study::StrainKind::green_lagrange), expected_fields(stress, strain, p, narrowing));
+}
+
 /// The law finds the strain across the plane; true stresses are those by the undeformed thickness.
 TEST(PlasticFields, HaveTheStrainAcrossAPlate) {
   auto deck = drawn_bar;

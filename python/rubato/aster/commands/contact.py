@@ -6,10 +6,8 @@ from __future__ import annotations
 from typing import Any
 
 from ..concepts import ContactConcept
-from ..keys import (Arguments, Command, CommandError, concept, factor, harmless, integer, real, texts,
+from ..keys import (Arguments, Command, CommandError, concept, factor, harmless, integer, real, reals, texts,
                     words, yes_no)
-
-_FIXED = "Normals follow the surfaces here."
 
 ZONE = {
     "GROUP_MA_MAIT": texts(), "MAILLE_MAIT": texts(), "GROUP_MA_ESCL": texts(), "MAILLE_ESCL": texts(),
@@ -19,19 +17,21 @@ ZONE = {
                        missing={"CZM": "", "AVANCE": ""}),
     "ALGO_FROT": words("STANDARD", "PENALISATION", "LAGRANGIEN"),
     "COULOMB": real(), "COEF_PENA_CONT": real(), "COEF_PENA_FROT": real(), "E_N": real(), "E_T": real(),
+    "COEF_PENA": real(),
     "INTEGRATION": words("AUTO", "GAUSS", "SIMPSON", "NCOTES", "NOEUD", default="AUTO"), "ORDRE_INT": integer(),
     "NORMALE": words("MAIT", "ESCL", "MAIT_ESCL", default="MAIT"),
-    "VECT_MAIT": words("AUTO", default="AUTO", missing={"FIXE": _FIXED, "VECT_Y": _FIXED}),
-    "VECT_ESCL": words("AUTO", default="AUTO", missing={"FIXE": _FIXED, "VECT_Y": _FIXED}),
-    "TYPE_PROJECTION": words("ORTHOGONALE", default="ORTHOGONALE", missing={"FIXE": _FIXED}),
-    "APPARIEMENT": words("MAIT_ESCL", "NODAL", default="MAIT_ESCL"),
+    "VECT_MAIT": words("AUTO", "FIXE", "VECT_Y", default="AUTO"), "MAIT_FIXE": reals(), "MAIT_VECT_Y": reals(),
+    "VECT_ESCL": words("AUTO", "FIXE", "VECT_Y", default="AUTO"), "ESCL_FIXE": reals(), "ESCL_VECT_Y": reals(),
+    "TYPE_PROJECTION": words("ORTHOGONALE", "FIXE", default="ORTHOGONALE"), "DIRE_APPA": reals(),
+    "APPARIEMENT": words("MAIT_ESCL", "NODAL", "MORTAR", default="MAIT_ESCL"),
     "GLISSIERE": yes_no("NON"), "RESOLUTION": yes_no("OUI"),
     "DIST_MAIT": concept("Function"), "DIST_ESCL": concept("Function"), "DIST_POUTRE": words("NON"),
     "DIST_COQUE": words("NON"), "CARA_ELEM": harmless(),
     "TOLE_INTERP": harmless(), "SEUIL_INIT": harmless(), "CONTACT_INIT": harmless(), "COEF_CONT": real(),
-    "COEF_FROT": real(), "COEF_MATR_FROT": harmless(), "ADAPTATION": harmless(), "TOLE_PROJ_EXT": real(0.5),
+    "COEF_FROT": real(), "COEF_MATR_FROT": harmless(), "TOLE_PROJ_EXT": real(0.5),
+    "ADAPTATION": words("NON", "CYCLAGE", "ADAPT_COEF", "TOUT", default="CYCLAGE"),
     "TOLE_PROJ_INT": harmless(), "DIST_APPA": harmless(), "TYPE_APPA": harmless(), "TYPE_JACOBIEN": harmless(),
-    "GRAND_GLIS": harmless(), "PENE_MAXI": harmless(), "DIRE_APPA": harmless(), "COEF_REGU_CONT": harmless(),
+    "GRAND_GLIS": harmless(), "PENE_MAXI": harmless(), "COEF_REGU_CONT": harmless(),
     "COEF_REGU_FROT": harmless(), "ALARME_JEU": harmless(), "COEF_ECHELLE": harmless(),
     # LIAISON_UNIL
     "GROUP_NO": texts(), "NOEUD": texts(), "GROUP_MA": texts(), "MAILLE": texts(),
@@ -55,7 +55,7 @@ DEFI_CONTACT = {
     "STOP_INTERP": words("NON", default="NON", missing={"OUI": "Gaps are in CONT_NOEU."}),
     "NB_RESOL": harmless(), "RESI_ABSO": harmless(), "ITER_GCP_MAXI": harmless(), "PRE_COND": harmless(),
     "RECH_LINEAIRE": harmless(), "COEF_RESI": harmless(), "ITER_PRE_MAXI": harmless(), "INFO": harmless(),
-    "TITRE": harmless(), "RESI_CONT": harmless(),
+    "TITRE": harmless(), "RESI_CONT": harmless(), "GLISSIERE": yes_no(),
     "ZONE": factor(ZONE, required=True),
 }
 

@@ -111,29 +111,35 @@ def _whole_interval(start: int, interval: Arguments) -> list[int]:
 
 # ---- DEFI_LIST_INST ------------------------------------------------------------------------------------------
 
-_EVENTS = {
-    "COLLISION": "Steps are cut where the solver does not converge: ERREUR.",
-    "INTERPENETRATION": "Contact is enforced exactly: ERREUR.",
-    "DELTA_GRANDEUR": "Write a list of shorter steps.", "INSTABILITE": "",
-}
-_ACTIONS = {
-    "ITER_SUPPL": "Write DECOUPE.", "AUTRE_PILOTAGE": "", "ADAPT_COEF_PENA": "", "CONTINUE": "",
+_EVENTS = {"DELTA_GRANDEUR": "Write a list of shorter steps.", "INSTABILITE": ""}
+# Failures of a step; the others are events of steps that are solved.
+_FAILURES = ("ERREUR", "DIVE_RESI", "RESI_MAXI")
+_NOTES = {
+    "AUTO": "DEFI_LIST_INST: METHODE='AUTO' is solved as MANUEL: steps are those of the list.",
+    "COLLISION": "DEFI_LIST_INST: EVENEMENT='COLLISION' is not followed: steps are not shorter where bodies meet.",
+    "INTERPENETRATION": "DEFI_LIST_INST: EVENEMENT='INTERPENETRATION': contact by penalty is solved without penetration, "
+                        "which is within any PENE_MAXI.",
+    "ITER_SUPPL": "DEFI_LIST_INST: ACTION='ITER_SUPPL' is solved as DECOUPE: iterations end where they do not converge.",
 }
 
 DEFI_LIST_INST = {
-    # METHODE AUTO adapts the length of steps; instants that are solved would be others than those written.
     "DEFI_LIST": factor({
-        "METHODE": words("MANUEL", default="MANUEL", missing={"AUTO": "The steps must be written: MANUEL."}),
-        "LIST_INST": concept("RealList"), "VALE": reals(),
+        "METHODE": words("MANUEL", "AUTO"), "LIST_INST": concept("RealList"), "VALE": reals(),
+        "RESULTAT": concept("Result"), "SUBD_PAS": integer(1),
+        "PAS_MINI": harmless(), "PAS_MAXI": harmless(), "NB_PAS_MAXI": harmless(),
     }, most=1),
     "ECHEC": factor({
-        "EVENEMENT": words("ERREUR", "DIVE_RESI", "RESI_MAXI", default="ERREUR", missing=_EVENTS),
-        "ACTION": words("DECOUPE", "ARRET", default="DECOUPE", missing=_ACTIONS),
-        "SUBD_METHODE": words("MANUEL", "AUTO", default="MANUEL"),
+        "EVENEMENT": words(*_FAILURES, "COLLISION", "INTERPENETRATION", default="ERREUR", missing=_EVENTS),
+        "ACTION": words("DECOUPE", "ARRET", "ITER_SUPPL", "ADAPT_COEF_PENA", "CONTINUE",
+                        missing={"AUTRE_PILOTAGE": ""}),
+        "SUBD_METHODE": words("MANUEL", "AUTO"),
         "SUBD_PAS": integer(4), "SUBD_NIVEAU": integer(3), "SUBD_PAS_MINI": real(0.0),
-        "RESI_GLOB_MAXI": harmless(),
+        "SUBD_INST": real(), "SUBD_DUREE": real(), "PENE_MAXI": real(), "COEF_MAXI": real(),
+        "RESI_GLOB_MAXI": harmless(), "PCENT_ITER_PLUS": harmless(),
     }),
-    "METHODE": words("MANUEL", default="MANUEL", missing={"AUTO": "The steps must be written: MANUEL."}),
+    # ADAPTATION changes the length of steps between the instants of the list.
+    "ADAPTATION": harmless(),
+    "METHODE": words("MANUEL", "AUTO", default="MANUEL"),
     "INFO": harmless(),
 }
 
@@ -141,17 +147,32 @@ DEFI_LIST_INST = {
 def defi_list_inst(session: Any, arguments: Arguments) -> TimeList:
     if not arguments.DEFI_LIST:
         raise CommandError("DEFI_LIST_INST: keyword DEFI_LIST is missing.")
-    where = arguments.DEFI_LIST[0]
-    if where.given("LIST_INST") == bool(where.VALE):
-        raise CommandError("DEFI_LIST_INST/DEFI_LIST: expected one of LIST_INST and VALE.")
-    instants = where.LIST_INST.values if where.given("LIST_INST") else np.asarray(where.VALE)
+    (where,) = arguments.DEFI_LIST
+    instants = _instants(where)
     if len(instants) > 1 and np.min(np.diff(instants)) <= 0:
         raise CommandError("DEFI_LIST_INST: the instants must ascend.")
-    return TimeList(instants, _cuts(arguments.ECHEC))
+    events = {item.EVENEMENT for item in arguments.ECHEC}
+    chosen = {where.METHODE or arguments.METHODE, *(item.ACTION for item in arguments.ECHEC), *events}
+    for word, text in _NOTES.items():
+        if word in chosen:
+            session.note(text)
+    return TimeList(instants, _cuts(arguments.ECHEC), "INTERPENETRATION" in events)
 
 
-def _cuts(failures: list[Arguments]) -> Cuts:
+def _instants(where: Arguments) -> np.ndarray:
+    if [where.given("LIST_INST"), bool(where.VALE), where.given("RESULTAT")].count(True) != 1:
+        raise CommandError("DEFI_LIST_INST/DEFI_LIST: expected one of LIST_INST, VALE and RESULTAT.")
+    if not where.given("RESULTAT"):
+        return where.LIST_INST.values if where.given("LIST_INST") else np.asarray(where.VALE)
+    stored = np.asarray(where.RESULTAT.instants())
+    if len(stored) < 2 or where.SUBD_PAS < 1:
+        raise CommandError("DEFI_LIST_INST/DEFI_LIST: RESULTAT needs two states and SUBD_PAS at least 1.")
+    return np.interp(np.arange((len(stored) - 1) * where.SUBD_PAS + 1) / where.SUBD_PAS, np.arange(len(stored)), stored)
+
+
+def _cuts(items: list[Arguments]) -> Cuts:
     """What is done when a step is not solved. Of several ECHEC that for ERREUR counts."""
+    failures = [item for item in items if item.EVENEMENT in _FAILURES and item.ACTION != "CONTINUE"]
     if not failures:
         return Cuts()
     failure = ([item for item in failures if item.EVENEMENT == "ERREUR"] or failures)[-1]

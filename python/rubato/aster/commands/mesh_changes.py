@@ -16,6 +16,7 @@ from ..keys import (Arguments, Command, CommandError, Key, anything, concept, fa
                     text, texts, words, yes, yes_no)
 from ..mesh import geometry, orders, orient
 from ..mesh.pieces import built, pieces_of, restricted
+from ..mesh.refine import refined_part
 from ..mesh.select import in_space
 
 # A mesh with more cells was not meant.
@@ -270,6 +271,7 @@ MACR_ADAP_MAIL = {
         name: _BY_FIELD for name in ("RAFF_DERA", "RAFFINEMENT", "DERAFFINEMENT", "RAFF_DERA_ZONE",
                                      "DERAFFINEMENT_UNIFORME", "MODIFICATION", "LECTURE")}),
     "MAILLAGE_N": concept("MeshConcept", required=True), "MAILLAGE_NP1": anything(required=True),
+    "GROUP_MA": texts(),
     **{name: harmless() for name in _REPORTS},
 }
 
@@ -278,9 +280,23 @@ def macr_adap_mail(session: Any, arguments: Arguments) -> None:
     mesh = arguments.MAILLAGE_N.mesh
     if not hasattr(arguments.MAILLAGE_NP1, "name"):
         raise CommandError("MACR_ADAP_MAIL/MAILLAGE_NP1: expected CO('…').")
-    refined = arguments.ADAPTATION == "RAFFINEMENT_UNIFORME"
-    made = done("MACR_ADAP_MAIL", mesh.refined, 2) if refined else mesh.copy()
+    if arguments.ADAPTATION == "RIEN":
+        made = mesh.copy()
+    elif arguments.GROUP_MA:
+        made = _refined_groups(arguments.MAILLAGE_N, arguments.GROUP_MA)
+    else:
+        made = done("MACR_ADAP_MAIL", mesh.refined, 2)
     session.new_concept(arguments.MAILLAGE_NP1, MeshConcept(made))
+
+
+def _refined_groups(mesh: MeshConcept, groups: tuple[str, ...]) -> Any:
+    """Returns the mesh with the cells of these groups refined. Raises CommandError for parts of bodies."""
+    made, between = done("MACR_ADAP_MAIL", refined_part, mesh.mesh, _cells_of(mesh, groups))
+    if made is None:
+        raise CommandError(f"MACR_ADAP_MAIL/GROUP_MA: cell {mesh.cell_name(int(between[0]))} shares edges with cells of "
+                           f"{', '.join(groups)} and is not refined itself, as are {len(between)} cells; only whole "
+                           "bodies can be refined: name all cells of the body.")
+    return made
 
 
 # ---- ASSE_MAILLAGE -------------------------------------------------------------------------------------------

@@ -69,7 +69,7 @@ _PLASTIC: dict[str, dict[str, Key]] = {
     "CIN2_CHAB": {**_CHABOCHE, "C1_I": real(required=True), "C2_I": real(required=True), "G1_0": real(0.0),
                   "G2_0": real(0.0)},
     "ECRO_COOK": {"A": real(required=True), "B": real(0.0), "N_PUIS": real(1.0), "C": real(0.0), "EPSP0": real(1.0),
-                  "M": harmless(), "TROOM": harmless(), "TMELT": harmless(), "EPSPM": harmless()},
+                  "M_PUIS": real(), "M": real(), "TROOM": real(), "TMELT": real(), "EPSPM": harmless()},
 }
 _ELAS_HYPER = {"C10": real(required=True), "C01": real(0.0), "C20": real(0.0), "K": real(), "NU": real(), "RHO": real()}
 # Laws that no RELATION here asks for: their numbers are kept and say nothing.

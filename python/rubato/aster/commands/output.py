@@ -16,27 +16,29 @@ from ..fields import field_of
 from ..keys import (Arguments, Command, CommandError, Key, concept, factor, harmless, integer, real, text, texts, words,
                     yes, yes_no)
 from ..selection import NODES, STATES, chosen_states
+from .gmsh_output import WIDTHS, mesh_lines, view_lines
 from .tables import write_lines
 
-_FOREIGN = "MED, ASTER and RESULTAT are."
+_FOREIGN = "MED, GMSH, ASTER and RESULTAT are."
 ITEM: dict[str, Key] = {
     **STATES, **NODES, "RESULTAT": concept("Result"), "CHAM_GD": concept("NodalField", "CellField"),
     "MAILLAGE": concept("MeshConcept"), "NOM_CHAM": texts(), "NOM_CHAM_MED": texts(), "NOM_RESU_MED": text(),
     "TOUT_CHAM": yes_no(), "NOM_CMP": texts(), "TOUT_CMP": yes(), "VALE_MAX": yes(), "VALE_MIN": yes(),
-    "BORNE_SUP": real(), "BORNE_INF": real(), "NUME_MODE": harmless(), "FREQ": harmless(),
+    "TYPE_CHAM": words(*WIDTHS, default="SCALAIRE"), "BORNE_SUP": real(), "BORNE_INF": real(),
+    "NUME_MODE": harmless(), "FREQ": harmless(),
     **{name: harmless() for name in ("INFO_MAILLAGE", "FORM_TABL", "IMPR_COOR", "PARTIE", "CARA_ELEM",
                                      "IMPR_NOM_VARI", "SOUS_TITRE", "TOUT_PARA", "NOM_PARA", "FORMAT_R", "SOUS_POINT",
                                      "CARTE", "RESTREINT")},
 }
 KEYS: dict[str, Key] = {
-    "FORMAT": words("MED", "RESULTAT", "ASTER", default="MED", missing={
-        name: _FOREIGN for name in ("IDEAS", "CASTEM", "GMSH", "ENSIGHT")}),
+    "FORMAT": words("MED", "RESULTAT", "ASTER", "GMSH", default="MED", missing={
+        name: _FOREIGN for name in ("IDEAS", "CASTEM", "ENSIGHT")}),
     "UNITE": integer(), "RESU": factor(ITEM), "CONCEPT": harmless(), "MODELE": harmless(),
     **{name: harmless() for name in ("VERSION", "VERSION_MED", "PROC0", "TYPE_CHAM", "RESTREINT", "INFO",
                                      "FICHIER_UNIQUE", "IMPR_NOM_VARI")},
 }
-UNITS = {"MED": 80, "RESULTAT": 8, "ASTER": 26}
-ENDINGS = {"MED": ".med", "RESULTAT": ".resu", "ASTER": ".mail"}
+UNITS = {"MED": 80, "RESULTAT": 8, "ASTER": 26, "GMSH": 37}
+ENDINGS = {"MED": ".med", "RESULTAT": ".resu", "ASTER": ".mail", "GMSH": ".msh"}
 
 Field = NodalField | CellField
 
@@ -50,6 +52,8 @@ def print_results(session: Any, arguments: Arguments) -> None:
         path = session.output_of(unit, ENDINGS[arguments.FORMAT])
         if arguments.FORMAT == "ASTER":
             write_mesh_file(path, mesh_of(item))
+        elif arguments.FORMAT == "GMSH":
+            write_gmsh(session, path, item)
         else:
             write_med(session, path, item)
 
@@ -158,6 +162,21 @@ def keep(session: Any, result: Result) -> Path:
     values = {name: () if key.many else key.default for name, key in keys.items()}
     write_med(session, path, Arguments({**values, "RESULTAT": result, "TOUT_ORDRE": "OUI"}, {"RESULTAT"}))
     return path
+
+
+# ---- GMSH --------------------------------------------------------------------------------------------------------
+
+
+def write_gmsh(session: Any, path: Path, item: Arguments) -> None:
+    """Writes the mesh if the file is new, then the views of the fields."""
+    lines = [] if path in session.written else list(mesh_lines(mesh_of(item)))
+    for stored, name, field in states_and_fields(session, item):
+        components = [field.components[i] for i in _columns(field, item)]
+        if components:
+            lines += view_lines(_label(item, name, stored), stored, field, components, item.TYPE_CHAM)
+    with path.open("a" if path in session.written else "w", encoding="utf-8") as file:
+        file.write("\n".join(lines) + "\n")
+    session.written.add(path)
 
 
 # ---- RESULTAT ----------------------------------------------------------------------------------------------------

@@ -22,16 +22,15 @@ def _places(*kinds: str) -> tuple[str, ...]:
     return tuple(f"{kind}_{place}" for kind in kinds for place in CELL_PLACES)
 
 
-STRESSES, STRAINS = _places("SIEF", "SIGM"), _places("EPSI", "EPME")
-CRITERIA, VARIABLES = _places("SIEQ", "EPEQ", "EPMQ"), _places("VARI")
+STRESSES, STRAINS = _places("SIEF", "SIGM"), _places("EPSI", "EPME", "EPSG", "EPMG", "EPSL", "EPSP")
+CRITERIA, VARIABLES = _places("SIEQ", "EPEQ", "EPMQ", "EPGQ"), _places("VARI")
 FORCES = ("FORC_NODA", "REAC_NODA")
-_FINITE = {name: "Strains are small here: EPSI, EPME." for name in _places("EPSG", "EPMG", "EPSL", "EPGQ", "EPSP")}
 CALCULATE: dict[str, Key] = {
     **{name: key for name, key in STATES.items() if name != "LIST_ORDRE"}, **NODES,
     "LIST_ORDRE": concept("RealList"),
     "RESULTAT": concept("Result", required=True), "reuse": anything(), "MODELE": concept("ModelConcept"),
     "CHAM_MATER": concept("MaterialField"), "CARA_ELEM": concept("DiscreteField"), "EXCIT": harmless(),
-    "CONTRAINTE": words(*STRESSES, many=True), "DEFORMATION": words(*STRAINS, many=True, missing=_FINITE),
+    "CONTRAINTE": words(*STRESSES, many=True), "DEFORMATION": words(*STRAINS, many=True),
     "CRITERES": words(*CRITERIA, many=True), "FORCE": words(*FORCES, many=True),
     "VARI_INTERNE": words(*VARIABLES, many=True), "INFO": harmless(), "TITRE": harmless(),
 }

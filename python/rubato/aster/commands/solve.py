@@ -10,7 +10,7 @@ from ..solve.nonlinear import dyna_non_line, stat_non_line
 
 _plastic = ("Plasticity here: VMIS_ISOT_LINE, VMIS_ISOT_TRAC, VMIS_CINE_LINE, VMIS_ECMI_LINE, VMIS_CIN1_CHAB, "
             "VMIS_CIN2_CHAB, VMIS_JOHN_COOK.")
-_strain = "Strains here: PETIT, GROT_GDEP, GDEF_LOG."
+_strain = "Strains here: PETIT, PETIT_REAC, GROT_GDEP, GDEF_LOG."
 _COMPORTEMENT = factor({
     "RELATION": words("ELAS", "ELAS_HYPER", "VMIS_ISOT_LINE", "VMIS_ISOT_TRAC", "VMIS_CINE_LINE", "VMIS_ECMI_LINE",
                       "VMIS_CIN1_CHAB", "VMIS_CIN2_CHAB", "VMIS_JOHN_COOK", default="ELAS", missing={
@@ -18,8 +18,8 @@ _COMPORTEMENT = factor({
                               "LEMAITRE", "ELAS_VMIS_LINE", "VMIS_ECMI_TRAC", "VMIS_ISOT_PUIS", "DIS_CHOC",
                               "DIS_CONTACT", "VISC_CIN1_CHAB", "VISC_CIN2_CHAB", "VMIS_ISOT_NL", "DIS_ECRO_TRAC",
                               "KIT_DDI", "MFRONT", "UMAT")}),
-    "DEFORMATION": words("PETIT", "GROT_GDEP", "GDEF_LOG", "SIMO_MIEHE", default="PETIT", missing={
-        kind: _strain for kind in ("PETIT_REAC", "GREEN_LAGRANGE", "GDEF_HYPO_ELAS", "EULER_ALMANSI")}),
+    "DEFORMATION": words("PETIT", "PETIT_REAC", "GROT_GDEP", "GREEN_LAGRANGE", "GDEF_LOG", "SIMO_MIEHE", default="PETIT",
+                         missing={kind: _strain for kind in ("GDEF_HYPO_ELAS", "EULER_ALMANSI")}),
     "TOUT": yes(), "GROUP_MA": texts(), "MAILLE": texts(), "PARM_THETA": harmless(), "ITER_INTE_MAXI": harmless(),
     "RESI_INTE_RELA": harmless(), "ALGO_INTE": harmless(), "ITER_INTE_PAS": harmless(), "TYPE_MATR_TANG": harmless(),
     "ITER_CPLAN_MAXI": harmless(), "RESI_CPLAN_RELA": harmless(), "RESI_CPLAN_MAXI": harmless(),
@@ -27,7 +27,7 @@ _COMPORTEMENT = factor({
 })
 _EXCIT = factor({"CHARGE": concept("LoadConcept", required=True), "FONC_MULT": concept("Function"),
                  "TYPE_CHARGE": words("FIXE_CSTE", "SUIV", default="FIXE_CSTE", missing={
-                     "DIDI": "", "FIXE_PILO": "", "SUIV_PILO": ""})}, required=True)
+                     "DIDI": "", "FIXE_PILO": "", "SUIV_PILO": ""})})
 _INCREMENT = factor({"LIST_INST": concept("RealList", required=True), "NUME_INST_INIT": integer(),
                      "INST_INIT": real(), "NUME_INST_FIN": integer(), "INST_FIN": real(), "PRECISION": real(1e-6)},
                     required=True, most=1)
@@ -41,6 +41,7 @@ _ARCHIVAGE = factor({"LIST_INST": concept("RealList"), "INST": reals(), "PAS_ARC
                      "DETR_NUME_SUIV": harmless()}, most=1)
 _OBSERVATION = factor({"NOM_CHAM": texts(required=True), "NOM_CMP": texts(), "EVAL_CMP": words("VALE", default="VALE"),
                        "EVAL_CHAM": words("VALE", "MIN", "MAX", "MOY", "MINI_ABS", "MAXI_ABS", default="VALE"),
+                       "EVAL_ELGA": words("VALE", "MIN", "MAX", default="VALE"), "NOM_VARI": texts(),
                        "GROUP_NO": texts(), "NOEUD": texts(), "TOUT": yes(), "GROUP_MA": texts(), "MAILLE": texts(),
                        "LIST_INST": concept("RealList"), "INST": reals(), "PAS_OBSE": integer(),
                        "OBSE_ETAT_INIT": yes_no("OUI"), "TITRE": text(), "PRECISION": real(1e-6),
@@ -65,7 +66,7 @@ _COMMON: dict[str, Key] = {
     "ARCHIVAGE": _ARCHIVAGE, "OBSERVATION": _OBSERVATION,
     "SOLVEUR": harmless(), "RECH_LINEAIRE": harmless(), "METHODE": harmless(), "AFFICHAGE": harmless(),
     "MESURE": harmless(), "SUIVI_DDL": harmless(), "INFO": harmless(), "INFO_DBG": harmless(), "TITRE": harmless(),
-    "ENERGIE": harmless(), "CRIT_QUALITE": harmless(), "MATR_DISTRIBUEE": harmless(),
+    "ENERGIE": factor({"CALCUL": yes_no("OUI")}, most=1), "CRIT_QUALITE": harmless(), "MATR_DISTRIBUEE": harmless(),
 }
 
 STAT_NON_LINE = {**_COMMON, "ETAT_INIT": factor(_ETAT_INIT, most=1)}

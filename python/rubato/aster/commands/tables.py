@@ -242,8 +242,14 @@ def recover(session: Any, arguments: Arguments) -> TableConcept:
         return TableConcept(["NUME_ORDRE", *arguments.NOM_PARA],
                             [_parameters(result, place, arguments.NOM_PARA) for place in range(len(result.stored))],
                             title)
+    if arguments.NOM_TABLE == "PARA_CALC":
+        if not result.parameters:
+            raise CommandError(f"RECU_TABLE: result {result.name} has no PARA_CALC: it was not solved in steps.")
+        return TableConcept(list(dict.fromkeys(name for row in result.parameters for name in row)),
+                            [dict(row) for row in result.parameters], title)
     if arguments.NOM_TABLE != "OBSERVATION":
-        raise CommandError(f"RECU_TABLE/NOM_TABLE: {arguments.NOM_TABLE} is not available; OBSERVATION is.")
+        raise CommandError(f"RECU_TABLE/NOM_TABLE: {arguments.NOM_TABLE} is not available; OBSERVATION and PARA_CALC "
+                           "are.")
     if not result.observations:
         raise CommandError(f"RECU_TABLE: result {result.name} has no observations.")
     extra = [name for row in result.observations for name in row if name not in OBSERVATION]
@@ -310,7 +316,7 @@ PRINT_FUNCTION: dict[str, Key] = {
     **{name: harmless() for name in (
         "FORMAT", "SOUS_TITRE", "BORNE_X", "BORNE_Y", "LEGENDE_X", "LEGENDE_Y", "ECHELLE_X", "ECHELLE_Y", "GRILLE_X",
         "GRILLE_Y", "TRI", "INFO", "PILOTE", "FORMAT_R", "DEBUT_LIGNE", "FIN_LIGNE", "DEBUT_TABLE", "FIN_TABLE",
-        "LARG", "HAUT", "NB_CHIFFRE")},
+        "LARG", "HAUT", "NB_CHIFFRE", "UNITE_DIGR", "AVEC_TITRE")},
 }
 
 

@@ -75,6 +75,8 @@ def wanted_of(check: Arguments, command: str) -> Wanted:
     criterion = check.CRITERE[0] if check.CRITERE else "RELATIF"
     tolerance = check.TOLE_MACHINE[0] if check.TOLE_MACHINE else 1e-6
     para = check.get("PARA")
+    if check.VALE_ABS == "OUI":
+        own, outside = magnitude(own), magnitude(outside)
     return Wanted(own, outside, check.REFERENCE or "NON_DEFINI", check.LEGENDE, criterion == "RELATIF", tolerance,
                   check.PRECISION, check.ORDRE_GRANDEUR, comparable=not (para and para.startswith(COUNTS)))
 
@@ -86,9 +88,14 @@ def _one_of(check: Arguments, command: str, *names: str) -> float | str | None:
     return check.get(given[0]) if given else None
 
 
+def magnitude(value: Any) -> Any:
+    """Returns the absolute value of a number. Texts and None stay as they are."""
+    return value if value is None or isinstance(value, str) else abs(value)
+
+
 def compare(session: Any, command: str, title: str, value: float | str, check: Arguments) -> None:
-    if check.VALE_ABS == "OUI" and not isinstance(value, str):
-        value = abs(value)
+    if check.VALE_ABS == "OUI":
+        value = magnitude(value)
     tolerance = getattr(session, "regression_tolerance", 1e-3)
     lines = session.checks.add(title, value, wanted_of(check, command), tolerance)
     for line in [f" ---- {title}", f"      {HEAD}".rstrip(), *lines]:

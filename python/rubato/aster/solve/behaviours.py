@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """COMPORTEMENT: which law and which strain cells have. Formulas of the laws: Code_Aster's R5.03.02, R5.03.04, R5.03.16,
-R5.03.19 (plasticity) and R5.03.22 (GDEF_LOG)."""
+R5.03.19 (plasticity), R5.03.20 (GROT_GDEP) and R5.03.22 (GDEF_LOG)."""
 
 from __future__ import annotations
 
@@ -15,9 +15,14 @@ from ..concepts import MaterialConcept, TableFunction
 from ..keys import Arguments, CommandError
 from .problem import Problem
 
-STRAINS = {"PETIT": "small", "GROT_GDEP": "green_lagrange", "GDEF_LOG": "logarithmic", "SIMO_MIEHE": "logarithmic"}
-# Those with plasticity of large strain are GDEF_LOG and SIMO_MIEHE.
-STRAINS_OF_PLASTICITY = ("PETIT", "GDEF_LOG", "SIMO_MIEHE")
+STRAINS = {"PETIT": "small", "GROT_GDEP": "green_lagrange", "GREEN_LAGRANGE": "green_lagrange", "GDEF_LOG": "logarithmic",
+           "SIMO_MIEHE": "logarithmic", "PETIT_REAC": "logarithmic"}
+# Notes about strains that are solved as other ones.
+NOTES = {
+    "SIMO_MIEHE": "SIMO_MIEHE is solved as GDEF_LOG; forces of bodies that yield differ by some tenths of a percent.",
+    "PETIT_REAC": "PETIT_REAC is solved as GDEF_LOG: small strains on the current geometry add up to logarithmic ones; "
+                  "stresses turn with the body here, and do not turn in PETIT_REAC.",
+}
 
 
 class Behaviour(NamedTuple):
@@ -46,23 +51,19 @@ def give_behaviour(problem: Problem, material: Any, concept: MaterialConcept, be
     """Gives a material of rubato its law, its strain and Code_Aster's integration of all points."""
     relation, deformation = behaviour
     if relation == "ELAS":
-        if deformation != "PETIT" and "ELAS_ORTH" in concept.laws and deformation != "GROT_GDEP":
+        if STRAINS[deformation] == "logarithmic" and "ELAS_ORTH" in concept.laws:
             raise CommandError(f"{problem.command}/COMPORTEMENT/DEFORMATION: {deformation} is not available with "
-                               "ELAS_ORTH.")
+                               "ELAS_ORTH; PETIT and GROT_GDEP are.")
     elif relation == "ELAS_HYPER":
-        if deformation not in ("GROT_GDEP", "PETIT"):
+        if STRAINS[deformation] == "logarithmic":
             raise CommandError(f"{problem.command}/COMPORTEMENT/DEFORMATION: ELAS_HYPER goes with GROT_GDEP.")
         give_rubber(problem, material, concept)
         deformation = "GROT_GDEP"
     else:
-        if deformation not in STRAINS_OF_PLASTICITY:
-            raise CommandError(f"{problem.command}/COMPORTEMENT/DEFORMATION: {deformation} is not available with "
-                               f"{relation}; {', '.join(STRAINS_OF_PLASTICITY)} are.")
         material.law = "plastic"
         PLASTIC[relation](problem, material, concept)
-    if deformation == "SIMO_MIEHE":
-        problem.notes.append(f"{problem.command}/COMPORTEMENT/DEFORMATION: SIMO_MIEHE is solved as GDEF_LOG; forces of "
-                             "bodies that yield differ by some tenths of a percent.")
+    if deformation in NOTES:
+        problem.notes.append(f"{problem.command}/COMPORTEMENT/DEFORMATION: {NOTES[deformation]}")
     strain = STRAINS[deformation]
     if relation != "ELAS" or strain != "small":
         material.strain = strain
@@ -159,6 +160,10 @@ def chaboche_two(problem: Problem, material: Any, concept: MaterialConcept) -> N
 
 def johnson_cook(problem: Problem, material: Any, concept: MaterialConcept) -> None:
     numbers = law_of(problem, concept, "VMIS_JOHN_COOK", "ECRO_COOK")
+    # The factor of temperature is 1 without AFFE_VARC: 1 − ((T − TROOM)/(TMELT − TROOM))^M_PUIS is 1.
+    if problem.has_temperatures and numbers.TMELT is not None and (numbers.M_PUIS or numbers.M):
+        raise CommandError(f"{problem.command}/COMPORTEMENT/RELATION: ECRO_COOK of material {concept.name} softens with "
+                           "the temperature (TMELT, M_PUIS), which is not available with AFFE_VARC TEMP.")
     plasticity = material.plasticity
     plasticity.hardening = "johnson_cook"
     plasticity.yield_stress, plasticity.factor, plasticity.exponent = numbers.A, numbers.B, numbers.N_PUIS

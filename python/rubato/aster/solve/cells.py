@@ -86,6 +86,7 @@ def materials_of_cells(materials: MaterialField, cell_count: int) -> tuple[np.nd
 def add_materials(problem: Problem, materials: MaterialField, discrete: DiscreteField | None, dynamic: bool,
                   behaviours: list[Behaviour] | None = None) -> None:
     """`behaviours`: of each cell of the command file's mesh; linear ones when not given."""
+    problem.has_temperatures = bool(materials.variables)
     of_behaviour = behaviours or [Behaviour()] * problem.concept.mesh.cell_count
     of_cell, listed = materials_of_cells(materials, problem.concept.mesh.cell_count)
     of_solid = of_cell[problem.solid]

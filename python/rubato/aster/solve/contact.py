@@ -13,16 +13,13 @@ import rubato
 from ..concepts import ContactConcept, Function
 from ..keys import Arguments, CommandError
 from .cells import dimensions
+from .contact_methods import METHODS, adapts, algorithm_of, bounded, penalty_of
+from .fixed_normals import check_fixed_normals
 from .middle_nodes import keeps_sides_straight, middle_nodes, straight_sides
 from .problem import Problem, check_parameters, evaluate
 
-METHODS = {
-    ("CONTINUE", "STANDARD"): "augmented_lagrangian", ("CONTINUE", "PENALISATION"): "penalty",
-    ("CONTINUE", "LAC"): "augmented_lagrangian", ("DISCRETE", "CONTRAINTE"): "nodal_lagrange",
-    ("DISCRETE", "LAGRANGIEN"): "nodal_lagrange", ("DISCRETE", "PENALISATION"): "nodal_penalty",
-    ("DISCRETE", "GCP"): "nodal_pcg", ("DISCRETE", "VERIF"): "nodal_lagrange",
-}
-USUAL = {"CONTINUE": "STANDARD", "DISCRETE": "CONTRAINTE"}
+# rubato takes tolerances of loops below 1.
+MOST_TOLERANCE = 0.99
 NORMALS = {"MAIT": "master", "ESCL": "slave", "MAIT_ESCL": "average"}
 
 
@@ -58,7 +55,7 @@ def tie_middle_nodes(problem: Problem, contact: Arguments) -> None:
     middles: dict[int, tuple[int, int]] = {}
     for zone in contact.ZONE:
         if keeps_sides_straight(contact, zone):
-            faces = [faces_of(problem, zone, side) for side in ("MAIT", "ESCL")]
+            faces = [faces_of(problem, zone, "MAIT"), slave_of(problem, contact, zone)[0]]
             middles.update(middle_nodes(problem, np.concatenate(faces)))
     if not middles:
         return
@@ -85,21 +82,36 @@ def faces_of(problem: Problem, zone: Arguments, side: str) -> np.ndarray:
     return faces
 
 
+def slave_of(problem: Problem, contact: Arguments, zone: Arguments) -> tuple[np.ndarray, np.ndarray]:
+    """Returns slave faces and slave nodes. Points, and lines in space, get the skin faces around their nodes."""
+    mesh = problem.concept
+    cells = np.unique(mesh.cells(zone, after="_ESCL"))
+    flat = dimensions(mesh.mesh)[cells]
+    if len(cells) == 0 or contact.FORMULATION != "DISCRETE" or np.any(flat >= problem.dimension - 1):
+        faces = faces_of(problem, zone, "ESCL")
+        return faces, mesh.nodes_of_cells(faces)
+    nodes = mesh.nodes_of_cells(cells)
+    return faces_for(problem, nodes, "contact"), nodes
+
+
 def make_zone(problem: Problem, contact: Arguments, given: Arguments, number: int) -> Any:
     formulation = contact.FORMULATION
-    algorithm = given.ALGO_CONT or USUAL[formulation]
-    if (formulation, algorithm) not in METHODS:
-        raise CommandError(f"DEFI_CONTACT/ZONE/ALGO_CONT: {algorithm} is not available with {formulation}.")
+    master = faces_of(problem, given, "MAIT")
+    slave, slave_nodes = slave_of(problem, contact, given)
+    algorithm = algorithm_of(problem, contact, given)
     zone = rubato.ContactZone(name=f"zone_{number}", method=METHODS[formulation, algorithm])
-    master, slave = faces_of(problem, given, "MAIT"), faces_of(problem, given, "ESCL")
     zone.master, zone.slave = problem.cell_group(master), problem.cell_group(slave)
-    slave_nodes = problem.concept.nodes_of_cells(slave)
     resolved = given.RESOLUTION == "OUI" and algorithm != "VERIF"
     set_friction(problem, contact, given, zone, formulation)
     set_places(problem, given, zone, algorithm, slave)
+    check_fixed_normals(problem, given, zone, master, slave)
     set_coefficients(given, zone, formulation, algorithm, between_nodes(problem, zone, slave))
+    if algorithm == "PENALISATION":
+        zone.normal_coefficient = bounded(problem, formulation, slave, zone.normal_coefficient)
+    if formulation == "DISCRETE":
+        scale_to_ring(problem, zone)
     set_levels(contact, zone, formulation)
-    out = [excluded_nodes(problem, given)]
+    out = [excluded_nodes(problem, given), np.setdiff1d(problem.concept.nodes_of_cells(slave), slave_nodes)]
     if not resolved:
         out.append(slave_nodes)
     elif keeps_sides_straight(contact, given):
@@ -107,7 +119,7 @@ def make_zone(problem: Problem, contact: Arguments, given: Arguments, number: in
     nodes = np.unique(np.concatenate(out))
     if len(nodes):
         zone.exclude_nodes = [problem.node_group(nodes)]
-    zone.bilateral = given.GLISSIERE == "OUI"
+    zone.bilateral = (given if given.given("GLISSIERE") else contact).GLISSIERE == "OUI"
     zone.gap = gap_of(problem, given)
     zone.history_force = formulation != "DISCRETE"
     problem.zones.append(ZoneRecord(number - 1, formulation, algorithm, zone.friction, slave_nodes, slave, resolved))
@@ -119,7 +131,12 @@ def set_friction(problem: Problem, contact: Arguments, given: Arguments, zone: A
         zone.friction_method = "nodal_penalty"
     else:
         usual = "PENALISATION" if given.ALGO_CONT == "PENALISATION" else "STANDARD"
-        zone.friction_method = ("penalty" if (given.ALGO_FROT or usual) == "PENALISATION" else "augmented_lagrangian")
+        by_penalty = (given.ALGO_FROT or usual) == "PENALISATION"
+        if by_penalty and contact.FROTTEMENT == "COULOMB" and adapts(given) and given.COEF_PENA_FROT is None:
+            by_penalty = False
+            problem.notes.append(f"DEFI_CONTACT: ADAPTATION='{given.ADAPTATION}' without COEF_PENA_FROT is solved with "
+                                 "friction that sticks exactly, as ALGO_FROT='STANDARD'.")
+        zone.friction_method = "penalty" if by_penalty else "augmented_lagrangian"
     zone.friction = (given.COULOMB or 0.0) if contact.FROTTEMENT == "COULOMB" else 0.0
     smooth = problem.concept.nodes(given, "SANS_", "_FR")
     if len(smooth) and zone.friction:
@@ -152,18 +169,26 @@ def set_coefficients(given: Arguments, zone: Any, formulation: str, algorithm: s
             zone.tangential_coefficient = given.COEF_FROT
     if formulation == "DISCRETE":
         if algorithm == "PENALISATION":
-            zone.normal_coefficient = required(given, "E_N")
+            zone.normal_coefficient = required(given, "E_N", penalty_of(given, "E_N"))
         if zone.friction:
             zone.tangential_coefficient = required(given, "E_T")
         return
     if algorithm == "PENALISATION":
-        zone.normal_coefficient = required(given, "COEF_PENA_CONT")
+        zone.normal_coefficient = required(given, "COEF_PENA_CONT", penalty_of(given, "COEF_PENA_CONT"))
     if zone.friction and str(zone.friction_method).endswith("penalty"):
         zone.tangential_coefficient = required(given, "COEF_PENA_FROT")
 
 
-def required(given: Arguments, name: str) -> float:
-    value = given.get(name)
+def scale_to_ring(problem: Problem, zone: Any) -> None:
+    """Multiplies penalties of nodes, which command files have per radian, to those of the whole ring."""
+    for name in ("normal_coefficient", "tangential_coefficient"):
+        value = getattr(zone, name)
+        if value is not None:
+            setattr(zone, name, value * problem.ring)
+
+
+def required(given: Arguments, name: str, value: float | None = None) -> float:
+    value = given.get(name) if value is None else value
     if value is None:
         raise CommandError(f"DEFI_CONTACT/ZONE: keyword {name} is missing.")
     return value
@@ -172,7 +197,7 @@ def required(given: Arguments, name: str) -> float:
 def set_places(problem: Problem, given: Arguments, zone: Any, algorithm: str, slave: np.ndarray) -> None:
     """Where contact points stand, and whose normals count."""
     kind, order = "nodes", 0
-    if algorithm == "LAC":
+    if algorithm == "LAC" or given.APPARIEMENT == "MORTAR":
         kind = "mortar"
     elif given.INTEGRATION == "GAUSS":
         kind, order = "gauss", given.ORDRE_INT or 3
@@ -202,12 +227,13 @@ def set_levels(contact: Arguments, zone: Any, formulation: str) -> None:
     # Nodal methods always have the level of geometry; with frozen surfaces it is done at once.
     loops = formulation == "DISCRETE" or (contact.ALGO_RESO_GEOM == "POINT_FIXE" and not zone.freeze)
     if loops:
-        tolerance = contact.RESI_GEOM if contact.RESI_GEOM is not None else 0.01
+        tolerance = min(contact.RESI_GEOM, MOST_TOLERANCE) if contact.RESI_GEOM is not None else 0.01
         zone.geometry = rubato.Level(by="fixed_point", tolerance=tolerance, max_loops=contact.ITER_GEOM_MAXI)
     if formulation == "DISCRETE":
         return
     if contact.ALGO_RESO_FROT == "POINT_FIXE" and zone.friction:
-        zone.threshold = rubato.Level(by="fixed_point", tolerance=contact.RESI_FROT, max_loops=contact.ITER_FROT_MAXI)
+        zone.threshold = rubato.Level(by="fixed_point", tolerance=min(contact.RESI_FROT, MOST_TOLERANCE),
+                                      max_loops=contact.ITER_FROT_MAXI)
     if contact.ALGO_RESO_CONT == "POINT_FIXE":
         zone.status = rubato.Level(by="fixed_point", tolerance=0.0, max_loops=contact.ITER_CONT_MAXI)
 
@@ -235,7 +261,7 @@ def add_one_sided(problem: Problem, given: Arguments) -> None:
     −a/|a|, whose gap is counted from the displacement alone."""
     mesh = problem.concept
     nodes = mesh.nodes(given)
-    faces = faces_for(problem, nodes)
+    faces = faces_for(problem, nodes, "LIAISON_UNIL")
     if len(given.NOM_CMP) != len(given.COEF_MULT):
         raise CommandError("DEFI_CONTACT/ZONE: expected a COEF_MULT for each NOM_CMP.")
     factors = np.zeros(3)
@@ -249,6 +275,13 @@ def add_one_sided(problem: Problem, given: Arguments) -> None:
     bound = evaluate(given.COEF_IMPO)
     zone = rubato.ContactZone(name=f"zone_{len(problem.zones) + 1}", method="nodal_lagrange")
     zone.friction_method = "nodal_penalty"
+    algorithm = given.ALGO_CONT or "CONTRAINTE"
+    if algorithm == "PENALISATION":
+        # The energy ½ COEF_PENA (a·u − c)² gives the stiffness by the distance (a·u − c)/|a|.
+        zone.method = "nodal_penalty"
+        zone.normal_coefficient = required(given, "COEF_PENA") * size**2 * problem.ring
+    elif algorithm != "CONTRAINTE":
+        raise CommandError(f"DEFI_CONTACT/ZONE/ALGO_CONT: {algorithm} is not available with LIAISON_UNIL.")
     zone.slave = problem.cell_group(faces)
     others = np.setdiff1d(mesh.nodes_of_cells(faces), nodes)
     if len(others):
@@ -260,11 +293,11 @@ def add_one_sided(problem: Problem, given: Arguments) -> None:
         "LIAISON_UNIL", lambda x, y, z, t: bound(x, y, z, t) / size - float(normal @ (x, y, z)),
         "INST" in given.COEF_IMPO.parameters))
     slave = mesh.nodes_of_cells(faces)
-    problem.zones.append(ZoneRecord(len(problem.zones), "LIAISON_UNIL", "CONTRAINTE", 0.0, slave, faces))
+    problem.zones.append(ZoneRecord(len(problem.zones), "LIAISON_UNIL", algorithm, 0.0, slave, faces))
     problem.study.contact = [*problem.study.contact, zone]
 
 
-def faces_for(problem: Problem, nodes: np.ndarray) -> np.ndarray:
+def faces_for(problem: Problem, nodes: np.ndarray, what: str) -> np.ndarray:
     """Skin cells that have the nodes: those with these nodes only; for nodes that none of them has, all of theirs."""
     whole, touching = [], []
     for block in problem.concept.mesh.blocks:
@@ -280,7 +313,7 @@ def faces_for(problem: Problem, nodes: np.ndarray) -> np.ndarray:
     bare = np.setdiff1d(nodes, problem.concept.nodes_of_cells(faces))
     if len(bare):
         name = problem.concept.node_name(int(bare[0]))
-        raise CommandError(f"DEFI_CONTACT/ZONE: LIAISON_UNIL at node {name}, which no skin cell has, is not available.")
+        raise CommandError(f"DEFI_CONTACT/ZONE: {what} at node {name}, which no skin cell has, is not available.")
     return faces
 
 

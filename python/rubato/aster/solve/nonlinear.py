@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -18,7 +20,7 @@ from .contact import add_contact, note_rigid_surfaces
 from .discrete import add_discrete
 from .loads import add_loads, give_missing_densities
 from .middle_nodes import SIDE
-from .observation import Observations
+from .observation import Observations, energies
 from .problem import Problem
 from .relations import add_relations
 from .solved import Solved
@@ -48,12 +50,14 @@ def solve(session: Any, command: str, arguments: Arguments, dynamic: bool) -> Re
     instants, cuts = instants_of(command, increment, start.instant)
     problem = make_problem(session, command, arguments, instants, dynamic, start.given)
     set_time(problem, arguments, instants, cuts, dynamic, start)
-    before, observed = list(result.stored), list(result.observations)
+    before, observed, parameters = list(result.stored), list(result.observations), list(result.parameters)
     residuals = wanted_residuals(problem, arguments)
     for residual in residuals:
-        result.stored[:], result.observations[:] = before, observed
+        result.stored[:], result.observations[:], result.parameters[:] = before, observed, parameters
         problem.study.newton.residual = residual
         solved, simulation = begin(session, problem, arguments, start, dynamic)
+        if cuts.levels > 0:
+            solved.within = within_steps(session, problem, arguments, solved, cuts)
         try:
             march(session, command, arguments, result, solved, simulation, start)
             break
@@ -116,6 +120,8 @@ def make_problem(session: Any, command: str, arguments: Arguments, instants: np.
                  continues: bool, earliest: float | None = None) -> Problem:
     problem = Problem(command, arguments.MODELE, float(instants[0]), float(instants[-1]))
     problem.continues = continues
+    problem.bounds_penetration = any(getattr(item.LIST_INST, "bounds_penetration", False)
+                                     for item in arguments.get("INCREMENT") or [])
     if earliest is not None:
         problem.earliest = earliest
     choose_cells(problem)
@@ -228,7 +234,8 @@ def begin(session: Any, problem: Problem, arguments: Arguments, start: Start, dy
             session.note(note)
     contact = arguments.get("CONTACT")
     solved = Solved(model, problem.concept, problem.cell_of, problem.physics, problem.zones, problem.springs,
-                    problem.ends, arguments.CHAM_MATER, dynamic, contact.arguments.FORMULATION if contact else "")
+                    problem.ends, arguments.CHAM_MATER, dynamic, contact.arguments.FORMULATION if contact else "",
+                    large_strain=any(str(one.strain or "small") != "small" for one in problem.study.materials))
     if "ACCE" in start.fields:
         session.note(f"{problem.command}: ETAT_INIT/ACCE is not followed; the first acceleration balances the forces.")
     if "DEPL" in start.fields or start.stress is not None:
@@ -309,20 +316,46 @@ def march(session: Any, command: str, arguments: Arguments, result: Result, solv
     order = store_first(result, solved, simulation, start, arguments)
     observations.note(result.stored[-1] if start.stored is None else
                       Stored(order, simulation.state.t, solved, simulation.state), first=True)
-    iterations = 0
+    reused = len({row["NUME_REUSE"] for row in result.parameters})
+    wants_energies = any(item.CALCUL == "OUI" for item in arguments.ENERGIE)
     while not simulation.finished:
         step = advance(simulation)
         if not step.accepted:
             raise NotConverged(f"{command}: {step.report}", "MECANONLINE9_7", result)
-        iterations = step.iterations
         state = simulation.state
-        stored = Stored(order + 1, state.t, solved, state, iterations, parameters={"ITER_GLOB": iterations})
+        stored = Stored(order + 1, state.t, solved, state, step.iterations,
+                        parameters={"ITER_GLOB": step.iterations})
         observations.note(stored)
+        row = {"NUME_REUSE": reused, "INST": state.t}
+        result.parameters.append({**row, **(energies(solved, simulation.energy) if wants_energies else {})})
         if archive.wants(state.t, simulation.finished):
             result.stored.append(stored)
             order += 1
     session.say(f"{command}: {session.assigned}: {simulation.counters.steps} steps, "
                 f"{simulation.counters.iterations} iterations, to instant {simulation.state.t:g}")
+
+
+def within_steps(session: Any, problem: Problem, arguments: Arguments, solved: Solved,
+                 cuts: Any) -> Callable[[Stored, Stored, float], list[Stored]]:
+    """Returns a function that solves for an instant within a step, where Code_Aster may have cut it."""
+
+    def solve_within(before: Stored, after: Stored, instant: float) -> list[Stored]:
+        length = after.instant - before.instant
+        if before.state is None or before.solved is not solved or abs(after.state.step - length) > 1e-9 * length:
+            return []
+        session.note(f"{problem.command}: no step ends at instant {instant:g}, which the file asks for; it is solved from "
+                     "the step before.")
+        problem.study.time.instants = []
+        set_time(problem, arguments, np.array([before.instant, instant]), cuts, solved.dynamic, Start())
+        problem.study.time.start, problem.study.time.start_run = "from_run", "before"
+        model = rubato.Model(problem.study, problem.finished_mesh())
+        simulation = rubato.Simulation(model, previous=before.state)
+        while not simulation.finished:
+            if not advance(simulation).accepted:
+                return []
+        return [Stored(before.order, instant, replace(solved, model=model), simulation.state)]
+
+    return solve_within
 
 
 def advance(simulation: Any) -> Any:

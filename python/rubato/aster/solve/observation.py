@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""OBSERVATION: values of fields at nodes after each step, rows of a table."""
+"""OBSERVATION stores values of fields after each step, PARA_CALC energies, as rows of tables."""
 
 from __future__ import annotations
 
@@ -7,8 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from ..concepts import NodalField, Result, Stored
+from ..concepts import CellField, NodalField, Result, Stored
 from ..keys import Arguments, CommandError
+from ..selection import column_of
 
 REDUCTIONS = {"MIN": np.nanmin, "MAX": np.nanmax, "MOY": np.nanmean, "MINI_ABS": lambda v: np.nanmin(np.abs(v)),
               "MAXI_ABS": lambda v: np.nanmax(np.abs(v))}
@@ -44,14 +45,16 @@ class Observations:
 
         for name in item.NOM_CHAM:
             field = field_of(Result("EVOL_NOLI", self.result.mesh), stored, name)
-            if not isinstance(field, NodalField):
-                raise CommandError(f"OBSERVATION/NOM_CHAM: {name} is not at nodes: that is not available.")
-            nodes = self.result.mesh.nodes(item)
-            for component in item.NOM_CMP or field.components:
-                self.rows(number, item, stored, name, component, field.column(component)[nodes], nodes)
+            for component in item.NOM_CMP or item.NOM_VARI or field.components:
+                if isinstance(field, NodalField):
+                    nodes = self.result.mesh.nodes(item)
+                    places = [{"NOEUD": self.result.mesh.node_name(int(node))} for node in nodes]
+                    self.rows(number, item, stored, name, component, field.column(component)[nodes], places)
+                else:
+                    self.rows(number, item, stored, name, component, *values_in_cells(field, item, component))
 
     def rows(self, number: int, item: Arguments, stored: Stored, name: str, component: str, values: np.ndarray,
-             nodes: np.ndarray) -> None:
+             places: list[dict[str, Any]]) -> None:
         base: dict[str, Any] = {"NUME_OBSE": number, "NOM_OBSERVATION": item.TITRE or f"OBSERVATION_{number}",
                                 "TYPE_OBJET": "R", "NUME_REUSE": self.reused, "INST": stored.instant,
                                 "NUME_ORDRE": stored.order, "NOM_CHAM": name, "EVAL_CHAM": item.EVAL_CHAM,
@@ -59,7 +62,49 @@ class Observations:
         if item.EVAL_CHAM != "VALE":
             self.result.observations.append({**base, "VALE": float(REDUCTIONS[item.EVAL_CHAM](values))})
             return
-        for node, value in zip(nodes, values):
+        for place, value in zip(places, values):
             if not np.isnan(value):
-                self.result.observations.append({**base, "NOEUD": self.result.mesh.node_name(int(node)),
-                                                 "VALE": float(value)})
+                self.result.observations.append({**base, **place, "VALE": float(value)})
+
+
+def values_in_cells(field: CellField, item: Arguments, component: str) -> tuple[np.ndarray, list[dict[str, Any]]]:
+    """Returns values at the Gauss points POINT of the cells, or at all, or the extreme value of each cell (EVAL_ELGA); and
+    the place of each value."""
+    if any(point != 1 for point in item.SOUS_POINT):
+        raise CommandError("OBSERVATION/SOUS_POINT: continuum cells have one.")
+    column = column_of(field, component)
+    values: list[float] = []
+    places: list[dict[str, Any]] = []
+    wanted = set(field.mesh.cells(item).tolist())
+    for part in field.parts:
+        for cell, rows in zip(part.cells, part.values[..., column]):
+            if int(cell) not in wanted:
+                continue
+            there = {"MAILLE": field.mesh.cell_name(int(cell))}
+            if item.EVAL_ELGA != "VALE":
+                values.append(float(REDUCTIONS[item.EVAL_ELGA](rows)))
+                places.append(there)
+                continue
+            for point in item.POINT or range(1, len(rows) + 1):
+                if not 1 <= point <= len(rows):
+                    raise CommandError(f"OBSERVATION/POINT: cell {there['MAILLE']} has the points 1 to {len(rows)}.")
+                values.append(float(rows[point - 1]))
+                places.append({**there, "POINT": point})
+    return np.array(values), places
+
+
+# ---- PARA_CALC -------------------------------------------------------------------------------------------------
+
+
+def energies(solved: Any, ledger: Any) -> dict[str, float]:
+    """Returns Code_Aster's energies since the start of the solve, in axisymmetric models per radian. TRAV_EXT = ENER_CIN +
+    ENER_TOT + TRAV_AMOR + TRAV_LIAI + DISS_SCH. Supports and contact take TRAV_LIAI."""
+    parts = {
+        "TRAV_EXT": ledger.external_work,
+        "ENER_CIN": ledger.kinetic,
+        "ENER_TOT": ledger.strain + ledger.plastic + ledger.back_stress + ledger.viscous + ledger.hourglass - ledger.heat,
+        "TRAV_AMOR": ledger.damping,
+        "TRAV_LIAI": ledger.contact + ledger.friction + ledger.impact - ledger.support_work - ledger.overlap_work,
+        "DISS_SCH": ledger.numerical + ledger.bulk_scheme - ledger.unbalanced,
+    }
+    return {name: value / solved.ring for name, value in parts.items()}

@@ -53,6 +53,8 @@ class Problem:
         self.tables: dict[str, tuple[np.ndarray, np.ndarray]] = {}  # functions of time, by their names in the study
         self.following: set[int] = set()  # loads whose pressures follow the faces, by their identity
         self.continues = False  # from an initial state
+        self.has_temperatures = False  # AFFE_VARC gives TEMP
+        self.bounds_penetration = False  # Code_Aster raises penalties of contact (EVENEMENT='INTERPENETRATION')
         # The first instant at which anything is asked for; states before it have the values of that instant.
         self.earliest = begin
         self._kept: list[Any] = []  # functions by whose identity names were given

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -30,6 +31,9 @@ class Solved:
     dynamic: bool
     formulation: str = ""
     notes: list[str] = field(default_factory=list)
+    large_strain: bool = False  # whether laws see another strain than the linear one
+    # Solves for an instant within a step, from the states before and after it. The list is empty if that fails.
+    within: Callable[[Any, Any, float], list[Any]] | None = None
 
     @property
     def axisymmetric(self) -> bool:
