@@ -2,12 +2,14 @@
 // Relations between displacements, and the nodes that are their references.
 #include "rubato/cell/topology.hpp"
 #include "rubato/core/naming.hpp"
-#include "rubato/inp/reading.hpp"
+#include "rubato/inp/followers.hpp"
+#include "rubato/inp/points.hpp"
 #include "rubato/mesh/index_lists.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 namespace rubato::inp {
 namespace {
@@ -25,29 +27,13 @@ void add_relation(Reading& reading, study::Relation relation, const Word& at) {
   reading.study.relations.push_back(std::move(relation));
 }
 
-/// A single node.
-std::optional<std::int32_t> one_node(Reading& reading, int scope, const Word& word) {
-  const auto found = mesh::inp::find_nodes(reading.content, scope, word, reading.faults);
-  if (!found)
-    return std::nullopt;
-  if (found->items.size() == 1)
-    return found->items.front();
-  reading.faults.add(word, fmt::format("found {}, a set of {} nodes, expected one node",
-                                       shown(std::string(word.text)), found->items.size()));
-  return std::nullopt;
-}
-
-/// The group that a body or surface is in a study; `nodes` become its nodes.
-struct Followers {
-  std::string group;
-  std::vector<std::int32_t> nodes;
-};
+} // namespace
 
 std::optional<Followers> surface_followers(Reading& reading, int scope, const Word& word) {
   const auto* const surface = mesh::inp::find_surface(reading.content, scope, word, reading.faults);
   if (surface == nullptr)
     return std::nullopt;
-  Followers followers{surface->group, surface->nodes};
+  Followers followers{surface->group, surface->nodes, surface->faces};
   for (const auto& face : surface->faces) {
     const auto& element = reading.content.elements[static_cast<std::size_t>(face.element)];
     const auto nodes = reading.content.nodes_of(element);
@@ -67,7 +53,7 @@ std::optional<Followers> set_followers(Reading& reading, int scope, const Word& 
     reading.faults.add(word, fmt::format("found {}, expected a set", shown(std::string(word.text))));
     return std::nullopt;
   }
-  Followers followers{found->name, {}};
+  Followers followers{found->name, {}, {}};
   if (!of_elements)
     followers.nodes = found->items;
   for (const auto index : of_elements ? found->items : std::vector<std::int32_t>{}) {
@@ -78,8 +64,6 @@ std::optional<Followers> set_followers(Reading& reading, int scope, const Word& 
   return followers;
 }
 
-/// A relation with a reference where the node is. A node of the group itself can't be one: it is no point of
-/// its own.
 std::string add_reference(Reading& reading, study::RelationKind kind, const Followers& followers,
                           std::int32_t node, const Word& at, std::string_view label) {
   if (std::ranges::binary_search(followers.nodes, node)) {
@@ -108,79 +92,6 @@ std::string add_reference(Reading& reading, study::RelationKind kind, const Foll
   auto name = relation.name;
   add_relation(reading, std::move(relation), at);
   return name;
-}
-
-/// The rows of displacements that *KINEMATIC and *KINEMATIC COUPLING name are all of them, or a fault.
-void require_all_dofs(Reading& reading, const Block& block, std::size_t first_field) {
-  std::array<bool, 6> held{};
-  bool any = false;
-  for (const auto& line : block.lines) {
-    const auto fields = mesh::inp::fields_of(line);
-    if (fields.size() <= first_field)
-      continue;
-    any = true;
-    const auto from =
-        mesh::inp::require_integer(fields[first_field], "a degree of freedom, 1 to 6", reading.faults);
-    const auto last = field(fields, first_field + 1, fields[0]);
-    const auto to =
-        last.empty() ? from : mesh::inp::require_integer(last, "a degree of freedom, 1 to 6", reading.faults);
-    for (std::int64_t dof = 1; dof <= 6; ++dof)
-      if (from && to && dof >= *from && dof <= *to)
-        held[static_cast<std::size_t>(dof) - 1] = true;
-  }
-  const bool all = std::all_of(held.begin(), held.begin() + reading.dimension(), [](bool is) { return is; });
-  if (any && !all)
-    reading.faults.add(block.at,
-                       "found a kinematic coupling of some displacements only, expected all of them: a group "
-                       "moves as a rigid body");
-}
-
-} // namespace
-
-void read_coupling(Reading& reading, std::size_t index) {
-  const auto& blocks = reading.content.layout.blocks;
-  const auto& placed = blocks[index];
-  const auto& block = *placed.block;
-  const auto surface = mesh::inp::require_value(block, "SURFACE", "a surface", reading.faults);
-  const auto reference = mesh::inp::require_value(block, "REFNODE", "a node", reading.faults);
-  const auto* const next = index + 1 < blocks.size() ? blocks[index + 1].block : nullptr;
-  const bool rigid = next != nullptr && next->is("KINEMATIC");
-  if (!rigid && (next == nullptr || !next->is("DISTRIBUTING")))
-    return reading.faults.add(
-        block.at, fmt::format("found {} without *KINEMATIC or *DISTRIBUTING after it", block.at.text));
-  mesh::inp::check_parameters(*next, reading.faults);
-  require_all_dofs(reading, *next, 0);
-  if (!rigid)
-    note(reading, next->at,
-         "*DISTRIBUTING: in rubato all nodes of the surface count alike; Abaqus weighs them by their "
-         "share of the area");
-  if (const auto* way = next->find("WEIGHTINGMETHOD");
-      way != nullptr && compact(way->value.text) != "UNIFORM")
-    reading.faults.add(way->value,
-                       fmt::format("found WEIGHTING METHOD={}, expected UNIFORM", way->value.text));
-  if (surface.empty() || reference.empty())
-    return;
-  const auto followers = surface_followers(reading, placed.scope, surface);
-  const auto node = one_node(reading, placed.scope, reference);
-  const auto* const name = block.find("CONSTRAINTNAME");
-  if (followers && node)
-    add_reference(reading, rigid ? study::RelationKind::rigid : study::RelationKind::distributed, *followers,
-                  *node, reference, name == nullptr ? surface.text : name->value.text);
-}
-
-void read_kinematic_coupling(Reading& reading, std::size_t index) {
-  const auto& placed = reading.content.layout.blocks[index];
-  const auto& block = *placed.block;
-  const auto reference = mesh::inp::require_value(block, "REFNODE", "a node", reading.faults);
-  const auto fields = mesh::inp::fields_at(block, 0);
-  require_all_dofs(reading, block, 1);
-  if (reference.empty() || block.lines.size() != 1 || fields.empty())
-    return reading.faults.add(block.at, fmt::format("found {} lines of {}, expected one with a set of nodes",
-                                                    block.lines.size(), block.at.text));
-  const auto followers = set_followers(reading, placed.scope, fields[0], false);
-  const auto node = one_node(reading, placed.scope, reference);
-  if (followers && node)
-    add_reference(reading, study::RelationKind::rigid, *followers, *node, reference, fields[0].text);
 }
 
 void read_rigid_body(Reading& reading, std::size_t index) {
@@ -232,6 +143,71 @@ void read_embedded(Reading& reading, std::size_t index) {
     }
 }
 
+namespace {
+
+/// The nodes of a term, a degree of freedom along their own axes, and a coefficient.
+struct TermOfNodes {
+  std::vector<std::int32_t> nodes;
+  int dof = 0; ///< from 0
+  double coefficient = 0;
+};
+
+std::optional<TermOfNodes> term_of(Reading& reading, int scope, std::span<const Word> words) {
+  const auto found = mesh::inp::find_nodes(reading.content, scope, words[0], reading.faults);
+  const auto dof = mesh::inp::require_integer(words[1], "a degree of freedom", reading.faults);
+  const auto coefficient = mesh::inp::require_number(words[2], "a coefficient", reading.faults);
+  if (!found || found->items.empty() || !dof || !coefficient)
+    return std::nullopt;
+  const auto node = found->items.front();
+  const bool turns = reading.content.rotation_nodes.contains(node) && found->items.size() == 1 &&
+                     (reading.dimension() == 3 ? *dof > 3 && *dof <= 6 : *dof == 6);
+  if (!turns && (*dof < 1 || *dof > reading.dimension() || reading.references.contains(node))) {
+    reading.faults.add(words[1],
+                       fmt::format("found the degree of freedom {} of node {}, expected a displacement of a "
+                                   "node of a body, 1 to {}",
+                                   *dof, words[0].text, reading.dimension()));
+    return std::nullopt;
+  }
+  return TermOfNodes{found->items, static_cast<int>(*dof) - 1, *coefficient};
+}
+
+void add_term(const Reading& reading, const TermOfNodes& term, std::size_t which, Sum& sum) {
+  auto node = term.nodes[term.nodes.size() == 1 ? 0 : which];
+  int dof = term.dof;
+  if (dof >= 3) {
+    node = reading.content.rotation_nodes.at(node);
+    dof = reading.dimension() == 3 ? dof - 3 : 0;
+  }
+  sum.add(node, term.coefficient * axes_of(reading, node).col(dof));
+}
+
+/// One equation, or one for each node of the sets that terms name.
+void add_equations(Reading& reading, int scope, std::span<const Word> words, const Word& at) {
+  std::vector<TermOfNodes> terms;
+  std::size_t count = 1;
+  for (std::size_t i = 0; i < words.size(); i += 3) {
+    auto term = term_of(reading, scope, words.subspan(i, 3));
+    if (!term)
+      return;
+    count = std::max(count, term->nodes.size());
+    terms.push_back(std::move(*term));
+  }
+  for (std::size_t i = 0; i < terms.size(); ++i)
+    if (terms[i].nodes.size() != 1 && terms[i].nodes.size() != count)
+      return reading.faults.add(words[3 * i],
+                                fmt::format("found a set of {} nodes in an equation of sets of {}, expected "
+                                            "as many, or one node",
+                                            terms[i].nodes.size(), count));
+  for (std::size_t which = 0; which < count; ++which) {
+    Sum sum;
+    for (const auto& term : terms)
+      add_term(reading, term, which, sum);
+    add_equation(reading, sum, "equation", at);
+  }
+}
+
+} // namespace
+
 void read_equation(Reading& reading, std::size_t index) {
   const auto& placed = reading.content.layout.blocks[index];
   const auto& block = *placed.block;
@@ -252,9 +228,6 @@ void read_equation(Reading& reading, std::size_t index) {
       faults.add(at, "expected the number of terms of an equation, 1 or more, alone on its line");
     if (!faults.empty())
       return;
-    study::Relation relation;
-    relation.kind = study::RelationKind::equation;
-    relation.name = chosen_name(reading, relation_kind, "equation");
     std::vector<Word> terms;
     while (terms.size() < 3 * static_cast<std::size_t>(*count) && next_line())
       terms.insert(terms.end(), words.begin(), words.end());
@@ -263,62 +236,7 @@ void read_equation(Reading& reading, std::size_t index) {
           at, fmt::format("found {} values of an equation, expected {}: node, degree of freedom and "
                           "coefficient of each term",
                           terms.size(), 3 * *count));
-    for (std::size_t i = 0; i < terms.size(); i += 3) {
-      const auto node = one_node(reading, placed.scope, terms[i]);
-      const auto dof = mesh::inp::require_integer(terms[i + 1], "a degree of freedom", faults);
-      const auto coefficient = mesh::inp::require_number(terms[i + 2], "a coefficient", faults);
-      if (!node || !dof || !coefficient)
-        continue;
-      if (*dof < 1 || *dof > reading.dimension() || reading.references.contains(*node)) {
-        faults.add(terms[i + 1],
-                   fmt::format("found the degree of freedom {} of node {}, expected a displacement of a "
-                               "node of a body, 1 to {}",
-                               *dof, terms[i].text, reading.dimension()));
-        continue;
-      }
-      study::RelationTerm term;
-      term.on = node_name(reading, *node);
-      term.coefficients.at(static_cast<std::size_t>(*dof) - 1) = *coefficient;
-      if (*coefficient != 0)
-        relation.terms.push_back(term);
-    }
-    add_relation(reading, std::move(relation), at);
-  }
-}
-
-/// Pairs of nodes with the same displacement.
-void read_mpc(Reading& reading, std::size_t index) {
-  const auto& placed = reading.content.layout.blocks[index];
-  for (const auto& line : placed.block->lines) {
-    const auto fields = mesh::inp::fields_of(line);
-    if (fields.empty())
-      continue;
-    const auto kind = compact(fields[0].text);
-    if (kind != "PIN" && kind != "TIE") {
-      reading.faults.add(fields[0], fmt::format("found an MPC of type {}, expected PIN or TIE",
-                                                shown(std::string(fields[0].text))));
-      continue;
-    }
-    if (fields.size() != 3) {
-      reading.faults.add(fields[0], fmt::format("found {} nodes, expected two", fields.size() - 1));
-      continue;
-    }
-    const auto a = one_node(reading, placed.scope, fields[1]);
-    const auto b = one_node(reading, placed.scope, fields[2]);
-    if (!a || !b)
-      continue;
-    for (int axis = 0; axis < reading.dimension(); ++axis) {
-      study::Relation relation;
-      relation.kind = study::RelationKind::equation;
-      relation.name = chosen_name(reading, relation_kind, "mpc");
-      for (const auto& [node, coefficient] : {std::pair(*a, 1.0), std::pair(*b, -1.0)}) {
-        study::RelationTerm term;
-        term.on = node_name(reading, node);
-        term.coefficients.at(static_cast<std::size_t>(axis)) = coefficient;
-        relation.terms.push_back(term);
-      }
-      add_relation(reading, std::move(relation), fields[0]);
-    }
+    add_equations(reading, placed.scope, terms, at);
   }
 }
 

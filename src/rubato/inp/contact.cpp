@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace rubato::inp {
 namespace {
@@ -34,19 +35,44 @@ std::vector<std::optional<double>> behaviour_numbers(Reading& reading, const Blo
   return numbers;
 }
 
-/// A zone on faces, or a fault.
-std::optional<std::string> faces_group(Reading& reading, int scope, const Word& word, std::string_view of) {
+/// The group of faces that a surface is in a zone; of nodes as slaves those of bodies that have them.
+struct ZoneSurface {
+  std::string group;
+  std::string beside; ///< nodes of the faces that are not on the surface
+  bool of_nodes = false;
+};
+
+std::optional<ZoneSurface> faces_group(Reading& reading, int scope, const Word& word, std::string_view of) {
   const auto* const surface = mesh::inp::find_surface(reading.content, scope, word, reading.faults);
   if (surface == nullptr)
     return std::nullopt;
-  if (surface->of_nodes) {
-    reading.faults.add(
-        word, fmt::format("found the surface {} of nodes, expected one of faces (TYPE=ELEMENT): {} has "
-                          "pressures on faces",
-                          shown(surface->label), of));
-    return std::nullopt;
-  }
-  return surface->group;
+  if (!surface->of_nodes)
+    return ZoneSurface{surface->group, {}, false};
+  if (!surface->slave_faces.empty())
+    return ZoneSurface{surface->slave_faces, surface->beside, true};
+  reading.faults.add(
+      word, fmt::format("found the surface {} of nodes, expected one of faces (TYPE=ELEMENT): {} has "
+                        "pressures on faces",
+                        shown(surface->label), of));
+  return std::nullopt;
+}
+
+/// Types of pairs that have pressures on faces.
+constexpr std::array<std::string_view, 4> mortar_kinds{"SURFACETOSURFACE", "MORTAR", "LINMORTAR",
+                                                       "PGLINMORTAR"};
+
+/// Slave and master of a zone; nodes of the slave's faces that are not on its surface are left out.
+void set_sides(Reading& reading, const ZoneSurface& slave, const ZoneSurface& master, const Word& at,
+               study::ContactZone& zone) {
+  zone.slave = slave.group;
+  zone.master = master.group;
+  if (slave.beside.empty())
+    return;
+  if (zone.tie)
+    return reading.faults.add(at,
+                              "found nodes of a tied surface that have no whole face, expected every node "
+                              "of faces, or a surface of faces");
+  zone.exclude_nodes.push_back(slave.beside);
 }
 
 void add_zone(Reading& reading, study::ContactZone zone, std::string_view label, const Word& at) {
@@ -61,7 +87,7 @@ void read_interaction(Reading& reading, std::size_t index) {
   const auto& block = *reading.content.layout.blocks[index].block;
   const auto name = mesh::inp::require_value(block, "NAME", "the name of the interaction", reading.faults);
   if (!name.empty() &&
-      !reading.interactions.try_emplace(mesh::inp::folded(name.text), Interaction{{}, name}).second)
+      !reading.interactions.try_emplace(mesh::inp::folded(name.text), Interaction{{}, name, false}).second)
     reading.faults.add(name, fmt::format("found a second interaction {}, expected each name once",
                                          shown(std::string(name.text))));
 }
@@ -94,14 +120,18 @@ void read_surface_behavior(Reading& reading, std::size_t index) {
     note(reading, block.at,
          "exponential pressure is as Abaqus has it, (p0/(e-1)) x (exp(x)-1) with x = 1 - gap/c0; "
          "CalculiX has p0 exp(-gap ln(100)/c0)");
+  } else if (word == "TIED") {
+    interaction->tied = true;
+    note(reading, block.at,
+         "tied contact is exact in rubato, not by a stiffness, and stays tied when pulled");
   } else if (word == "LINEAR" || word == "EXPONENTIAL") {
     reading.faults.add(block.at,
                        fmt::format("found {} numbers of a {} pressure-overclosure, expected {}",
                                    numbers.size(), word, word == "LINEAR" ? "the slope" : "c0 and p0"));
   } else {
-    reading.faults.add(given->value,
-                       fmt::format("found PRESSURE-OVERCLOSURE={}, expected HARD, LINEAR or EXPONENTIAL",
-                                   given->value.text));
+    reading.faults.add(
+        given->value, fmt::format("found PRESSURE-OVERCLOSURE={}, expected HARD, LINEAR, EXPONENTIAL or TIED",
+                                  given->value.text));
   }
   zone.friction_method = study::usual_friction_method(zone.method);
 }
@@ -137,11 +167,14 @@ void read_contact_pair(Reading& reading, std::size_t index) {
       property.empty() ? nullptr : named(reading.interactions, property, "an interaction", reading.faults);
   const auto* const type = block.find("TYPE");
   const auto kind = type == nullptr ? std::string("NODETOSURFACE") : compact(type->value.text);
-  const bool on_nodes = kind == "NODETOSURFACE";
-  if (!on_nodes && kind != "SURFACETOSURFACE" && kind != "MORTAR")
+  const bool massless = kind == "MASSLESS";
+  const bool on_nodes = kind == "NODETOSURFACE" || massless;
+  if (!on_nodes && std::ranges::find(mortar_kinds, std::string_view(kind)) == mortar_kinds.end())
     reading.faults.add(type->value,
-                       fmt::format("found TYPE={}, expected NODE TO SURFACE, SURFACE TO SURFACE or MORTAR",
+                       fmt::format("found TYPE={}, expected NODE TO SURFACE, SURFACE TO SURFACE, "
+                                   "MORTAR, LINMORTAR, PGLINMORTAR or MASSLESS",
                                    type->value.text));
+  reading.massless_contact = reading.massless_contact || massless;
   for (const auto& line : block.lines) {
     const auto fields = mesh::inp::fields_of(line);
     if (fields.empty() || interaction == nullptr)
@@ -149,23 +182,25 @@ void read_contact_pair(Reading& reading, std::size_t index) {
     if (fields.size() > 2 &&
         std::any_of(fields.begin() + 2, fields.end(), [](const Word& w) { return !w.empty(); }))
       reading.faults.add(fields[2], "found more than two surfaces of a pair, expected slave and master");
-    auto zone = interaction->numbers;
-    zone.freeze = block.find("SMALLSLIDING") != nullptr;
-    zone.integration.by = on_nodes ? study::ContactIntegration::nodes : study::ContactIntegration::mortar;
     const auto slave = faces_group(reading, placed.scope, fields[0], "contact");
     const bool with_itself = fields.size() < 2 || fields[1].empty();
     const auto master = with_itself ? slave : faces_group(reading, placed.scope, fields[1], "contact");
     if (!slave || !master)
       continue;
+    const bool tied = interaction->tied || block.find("TIED") != nullptr;
+    auto zone = tied ? study::ContactZone{} : interaction->numbers;
+    zone.tie = tied;
+    zone.freeze = !tied && block.find("SMALLSLIDING") != nullptr;
+    zone.integration.by =
+        on_nodes || slave->of_nodes ? study::ContactIntegration::nodes : study::ContactIntegration::mortar;
     if (with_itself) {
-      zone.self = *slave;
+      zone.self = slave->group;
       zone.integration.by = study::ContactIntegration::mortar;
     } else {
-      zone.slave = *slave;
-      zone.master = *master;
+      set_sides(reading, *slave, *master, fields[0], zone);
     }
-    add_zone(reading, std::move(zone), with_itself ? *slave : fmt::format("{}_{}", *slave, *master),
-             fields[0]);
+    add_zone(reading, std::move(zone),
+             with_itself ? slave->group : fmt::format("{}_{}", slave->group, master->group), fields[0]);
   }
   if (block.lines.empty())
     reading.faults.add(block.at,
@@ -181,12 +216,6 @@ void read_tie(Reading& reading, std::size_t index) {
     reading.faults.add(
         type->value,
         fmt::format("found TYPE={}, expected SURFACE TO SURFACE or NODE TO SURFACE", type->value.text));
-  for (const auto* key : {"ADJUST", "POSITIONTOLERANCE"})
-    if (const auto* given = block.find(key); given != nullptr)
-      note(reading, given->name,
-           fmt::format("{} is not used: rubato ties what faces each other nearer than a slave face "
-                       "is long, moves no node, and keeps gaps",
-                       given->name.text));
   for (const auto& line : block.lines) {
     const auto fields = mesh::inp::fields_of(line);
     if (fields.empty())
@@ -202,15 +231,48 @@ void read_tie(Reading& reading, std::size_t index) {
       continue;
     study::ContactZone zone;
     zone.tie = true;
-    zone.slave = *slave;
-    zone.master = *master;
-    zone.integration.by =
-        kind == "NODETOSURFACE" ? study::ContactIntegration::nodes : study::ContactIntegration::mortar;
+    zone.integration.by = kind == "NODETOSURFACE" || slave->of_nodes ? study::ContactIntegration::nodes
+                                                                     : study::ContactIntegration::mortar;
+    set_sides(reading, *slave, *master, fields[0], zone);
     const auto* const name = block.find("NAME");
     add_zone(reading, std::move(zone),
-             name == nullptr ? fmt::format("{}_{}", *slave, *master) : std::string(name->value.text),
+             name == nullptr ? fmt::format("{}_{}", slave->group, master->group)
+                             : std::string(name->value.text),
              fields[0]);
   }
+}
+
+void read_clearance(Reading& reading, std::size_t index) {
+  const auto& placed = reading.content.layout.blocks[index];
+  const auto& block = *placed.block;
+  auto& faults = reading.faults;
+  const auto slave_name = mesh::inp::require_value(block, "SLAVE", "a surface", faults);
+  const auto master_name = mesh::inp::require_value(block, "MASTER", "a surface", faults);
+  const auto value = mesh::inp::require_number(
+      mesh::inp::require_value(block, "VALUE", "a clearance", faults), "a clearance", faults);
+  if (slave_name.empty() || master_name.empty() || !value)
+    return;
+  const auto slave = faces_group(reading, placed.scope, slave_name, "contact");
+  const auto master = faces_group(reading, placed.scope, master_name, "contact");
+  if (!slave || !master)
+    return;
+  const auto zone = std::ranges::find_if(reading.study.contact, [&](const study::ContactZone& other) {
+    return !other.tie && other.slave == slave->group && other.master == master->group;
+  });
+  if (zone == reading.study.contact.end())
+    return faults.add(slave_name,
+                      "found a clearance of two surfaces that are no contact pair, expected those "
+                      "of a *CONTACT PAIR");
+  const auto* const of_slave = mesh::inp::find_surface(reading.content, placed.scope, slave_name, faults);
+  const auto* const of_master = mesh::inp::find_surface(reading.content, placed.scope, master_name, faults);
+  const auto [least, largest] = mesh::inp::distances(reading.content, *of_slave, *of_master);
+  constexpr double uniform = 1e-3; // of the clearance
+  if (largest - least > uniform * std::abs(*value))
+    return faults.add(block.find("VALUE")->value,
+                      fmt::format("found the clearance {} of surfaces whose meshes are {} to {} apart, "
+                                  "expected meshes with one distance",
+                                  *value, least, largest));
+  zone->gap = study::Field(*value - (least + largest) / 2);
 }
 
 void read_general_contact(Reading& reading, std::size_t index) {
@@ -255,11 +317,13 @@ void read_general_contact(Reading& reading, std::size_t index) {
     if (!first || !second)
       continue;
     auto zone = numbers;
-    if (first == second)
-      zone.self = *first;
+    const bool same = first->group == second->group;
+    if (same)
+      zone.self = first->group;
     else
-      zone.between = {*first, *second};
-    add_zone(reading, zone, first == second ? *first : fmt::format("{}_{}", *first, *second), fields[0]);
+      zone.between = {first->group, second->group};
+    add_zone(reading, zone, same ? first->group : fmt::format("{}_{}", first->group, second->group),
+             fields[0]);
   }
 }
 

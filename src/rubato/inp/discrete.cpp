@@ -17,8 +17,10 @@ using mesh::inp::Element;
 using mesh::inp::Family;
 
 /// A node, or the reference that it is.
-std::string end_name(const Reading& reading, std::int32_t node) {
+std::string end_name(Reading& reading, std::int32_t node) {
   const auto found = reading.references.find(node);
+  if (found == reading.references.end())
+    reading.used_nodes.insert(node);
   return found == reading.references.end() ? node_name(reading, node) : found->second.relation;
 }
 
@@ -150,6 +152,46 @@ void read_dashpot(Reading& reading, std::size_t index) {
                    [&](study::Connector& connector) { connector.damping = *damping; });
 }
 
+/// Springs that push once the clearance is closed: CalculiX' stiffness, where none is given.
+void read_gap(Reading& reading, std::size_t index) {
+  const auto& placed = reading.content.layout.blocks[index];
+  const auto& block = *placed.block;
+  constexpr double usual_stiffness = 1e12;
+  std::array<double, 6> numbers{0, 0, 0, 0, 0, usual_stiffness};
+  const auto fields = mesh::inp::fields_at(block, 0);
+  for (std::size_t i = 0; i < std::min(numbers.size(), fields.size()); ++i)
+    numbers.at(i) = mesh::inp::require_number(fields[i], "a number of the gap", reading.faults, numbers.at(i))
+                        .value_or(0);
+  if (!(numbers[5] > 0))
+    return reading.faults.add(fields[5], "found a stiffness of the gap that is not above 0");
+  note(reading, block.at,
+       fmt::format("the gap pushes by a stiffness of {}, as in CalculiX with NLGEOM; in Abaqus it is rigid",
+                   numbers[5]));
+  for (const auto* element : elements_of(reading, placed, Family::spring, "GAPUNI elements")) {
+    const auto nodes = reading.content.nodes_of(*element);
+    std::array<double, 3> along{numbers[1], numbers[2], numbers[3]};
+    if (along == std::array<double, 3>{}) {
+      const auto& from = reading.content.points[static_cast<std::size_t>(nodes[0])];
+      const auto& to = reading.content.points[static_cast<std::size_t>(nodes[1])];
+      along = {to.x() - from.x(), to.y() - from.y(), to.z() - from.z()};
+    }
+    if (along == std::array<double, 3>{})
+      return reading.faults.add(block.at, "found a gap between nodes at one place without a direction, "
+                                          "expected one");
+    study::Connector connector;
+    connector.on = end_name(reading, nodes[0]);
+    connector.to = end_name(reading, nodes[1]);
+    connector.along = along;
+    LinearTable table; // of the elongation, which is minus the clearance where the gap is closed
+    table.outside = LinearTable::Outside::linear;
+    table.at = {-numbers[0] - 1, -numbers[0], -numbers[0] + 1};
+    table.values = {-numbers[5], 0, 0};
+    connector.force = table;
+    reading.places[fmt::format("connectors.{}", reading.study.connectors.size())] = block.at.at();
+    reading.study.connectors.push_back(connector);
+  }
+}
+
 void read_mass(Reading& reading, std::size_t index) {
   const auto& placed = reading.content.layout.blocks[index];
   const auto fields = mesh::inp::fields_at(*placed.block, 0);
@@ -171,13 +213,12 @@ void check_elements(Reading& reading) {
                          fmt::format("found {} elements, expected solids: there are no shells, membranes, "
                                      "beams, trusses and rigid elements",
                                      type.name));
-    if (!type.differs.empty() && told.insert(type.name).second)
-      note(
-          reading, element.at,
-          fmt::format(
-              "{} has {}, rubato computes it as {} with full integration: coarse meshes may be stiffer, fine "
-              "ones agree",
-              type.name, type.differs, cell::topology(*type.cell).name));
+    if (type.how == mesh::inp::Integration::full && !type.differs.empty() && told.insert(type.name).second)
+      note(reading, element.at,
+           fmt::format(
+               "{} has {} in Abaqus, rubato computes it as {} with full integration: coarse meshes may "
+               "be stiffer, fine ones agree",
+               type.name, type.differs, cell::topology(*type.cell).name));
   }
 }
 

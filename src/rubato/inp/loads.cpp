@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/core/naming.hpp"
 #include "rubato/inp/load_lines.hpp"
+#include "rubato/inp/points.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -168,6 +169,39 @@ void add_body_load(Reading& reading, const LoadLine& line, const Options& option
   put(reading, std::move(active), options, step, magnitude, history.loads, history);
 }
 
+struct Magnitude {
+  double value;
+  const Options* options;
+};
+
+/// A force or moment along a degree of freedom, from 0, of nodes with the same axes.
+void add_nodal_force(Reading& reading, Target target, int dof, const std::vector<Word>& fields,
+                     const Magnitude& magnitude, const Step& step, History& history) {
+  turn_to_rotation(reading, target, dof);
+  const auto has = dof >= 0 && dof < 6 ? has_dof(reading, target, dof) : Has::never;
+  const auto second = field(fields, 1, fields[0]);
+  if (has != Has::yes || fields.size() > 3)
+    return reading.faults.add(
+        second, fmt::format("found a force along the degree of freedom {}, which these nodes do not have",
+                            second.text));
+  const bool moment = dof >= 3 || (target.reference != nullptr && target.reference->rotations);
+  Active active;
+  active.kind = "CLOAD";
+  active.load = moment ? study::LoadKind::moment : study::LoadKind::nodal_force;
+  active.on = target.name;
+  active.items = target.nodes;
+  active.step = step.number;
+  active.at = fields[0];
+  active.direction = unit(dof % 3);
+  if (!moment && target.reference == nullptr) {
+    const Eigen::Vector3d along = axes_of(reading, target.nodes.front()).col(dof);
+    active.direction = {along[0], along[1], along[2]};
+  }
+  active.label = fmt::format("{} {}", moment, dof % 3);
+  active.key = fmt::format("CLOAD {} {}", folded(target.name), active.label);
+  put(reading, std::move(active), *magnitude.options, step, magnitude.value, history.loads, history);
+}
+
 constexpr std::array<std::string_view, 6> body_labels{"GRAV", "CENTRIF", "BX", "BY", "BZ", "BR"};
 
 } // namespace
@@ -188,27 +222,11 @@ void read_cload(Reading& reading, const Placed& placed, const Step& step, Histor
         mesh::inp::require_number(field(fields, 2, second), "the force", reading.faults, 0);
     if (!target || !dof || !magnitude)
       continue;
-    const int number = static_cast<int>(std::clamp<std::int64_t>(*dof, 0, 7)) - 1;
-    const auto has = number >= 0 && number < 6 ? has_dof(reading, *target, number) : Has::never;
-    if (has != Has::yes || fields.size() > 3) {
-      reading.faults.add(second,
-                         fmt::format("found a force along the degree of freedom {}, which these nodes do not "
-                                     "have",
-                                     second.text));
+    if (is_unused(reading, *target, fields[0]))
       continue;
-    }
-    const bool moment = number >= 3 || (target->reference != nullptr && target->reference->rotations);
-    Active active;
-    active.kind = "CLOAD";
-    active.load = moment ? study::LoadKind::moment : study::LoadKind::nodal_force;
-    active.on = target->name;
-    active.items = target->nodes;
-    active.step = step.number;
-    active.at = fields[0];
-    active.direction = unit(number % 3);
-    active.label = fmt::format("{} {}", moment, number % 3);
-    active.key = fmt::format("CLOAD {} {}", folded(target->name), active.label);
-    put(reading, std::move(active), options, step, *magnitude, history.loads, history);
+    const int number = static_cast<int>(std::clamp<std::int64_t>(*dof, 0, 7)) - 1;
+    for (const auto& part : with_equal_axes(reading, *target))
+      add_nodal_force(reading, part, number, fields, {*magnitude, &options}, step, history);
   }
 }
 

@@ -2,6 +2,7 @@
 #include "rubato/inp/read.hpp"
 
 #include "rubato/core/naming.hpp"
+#include "rubato/inp/points.hpp"
 #include "rubato/inp/steps.hpp"
 #include "rubato/mesh/index_lists.hpp"
 
@@ -33,6 +34,7 @@ constexpr std::array model_keywords{ModelKeyword{"AMPLITUDE", 0, read_amplitude}
                                     ModelKeyword{"EXPANSION", 0, read_expansion},
                                     ModelKeyword{"DAMPING", 0, read_damping},
                                     ModelKeyword{"ORIENTATION", 0, read_orientation},
+                                    ModelKeyword{"TRANSFORM", 0, read_transform},
                                     ModelKeyword{"SURFACE INTERACTION", 0, read_interaction},
                                     ModelKeyword{"SURFACE BEHAVIOR", 0, read_surface_behavior},
                                     ModelKeyword{"FRICTION", 0, read_friction},
@@ -40,6 +42,7 @@ constexpr std::array model_keywords{ModelKeyword{"AMPLITUDE", 0, read_amplitude}
                                     ModelKeyword{"KINEMATIC", 1, with_its_parent},
                                     ModelKeyword{"DISTRIBUTING", 1, with_its_parent},
                                     ModelKeyword{"KINEMATIC COUPLING", 1, read_kinematic_coupling},
+                                    ModelKeyword{"DISTRIBUTING COUPLING", 1, read_distributing_coupling},
                                     ModelKeyword{"RIGID BODY", 1, read_rigid_body},
                                     ModelKeyword{"SOLID SECTION", 1, read_solid_section},
                                     ModelKeyword{"CONTACT PAIR", 1, read_contact_pair},
@@ -47,9 +50,12 @@ constexpr std::array model_keywords{ModelKeyword{"AMPLITUDE", 0, read_amplitude}
                                     ModelKeyword{"CONTACT", 1, read_general_contact},
                                     ModelKeyword{"CONTACT INCLUSIONS", 1, with_its_parent},
                                     ModelKeyword{"CONTACT PROPERTY ASSIGNMENT", 1, with_its_parent},
+                                    ModelKeyword{"CLEARANCE", 2, read_clearance},
                                     ModelKeyword{"EMBEDDED ELEMENT", 2, read_embedded},
                                     ModelKeyword{"EQUATION", 2, read_equation},
                                     ModelKeyword{"MPC", 2, read_mpc},
+                                    ModelKeyword{"GAP", 2, read_gap},
+                                    ModelKeyword{"PRE-TENSION SECTION", 2, read_pretension},
                                     ModelKeyword{"SPRING", 2, read_spring},
                                     ModelKeyword{"DASHPOT", 2, read_dashpot},
                                     ModelKeyword{"MASS", 2, read_mass},
@@ -155,6 +161,18 @@ void check_temperatures(Reading& reading, const Input& input) {
         "found initial temperatures of some nodes only, expected one for all nodes of elements");
 }
 
+/// The nodes of bodies, and remarks on the mesh.
+void note_bodies(Reading& reading) {
+  const auto& content = reading.content;
+  reading.body_nodes.assign(content.points.size(), 0);
+  for (const auto& element : content.elements)
+    if (mesh::inp::is_continuum(element.type->family))
+      for (const auto node : content.nodes_of(element))
+        reading.body_nodes[static_cast<std::size_t>(node)] = 1;
+  for (const auto& remark : content.remarks)
+    note(reading, remark.at, remark.text);
+}
+
 Input finished(const Content& content, const std::string& file, Purpose purpose) {
   Faults faults;
   Reading reading(content, faults);
@@ -166,9 +184,11 @@ Input finished(const Content& content, const std::string& file, Purpose purpose)
     throw InputError("found no solid, plane or axisymmetric elements in the file, expected some", {file});
   reading.study.physics = *physics;
   read_title(reading);
+  note_bodies(reading);
   check_elements(reading);
   read_model(reading);
   check_properties(reading);
+  hold_unused(reading);
   read_steps(reading, purpose, input);
   check_temperatures(reading, input);
   faults.throw_if_any();
@@ -218,6 +238,11 @@ void read_initial_conditions(Reading& reading, std::size_t index) {
           second, fmt::format("found the degree of freedom {}, expected a displacement of nodes of a body, "
                               "1 to {}",
                               *dof, reading.dimension()));
+      continue;
+    }
+    if (std::ranges::any_of(target->nodes, [&](std::int32_t node) { return has_own_axes(reading, node); })) {
+      reading.faults.add(fields[0],
+                         "found an initial motion of nodes with *TRANSFORM, expected nodes without");
       continue;
     }
     study::InitialMotion motion;

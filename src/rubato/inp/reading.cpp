@@ -21,6 +21,12 @@ bool is_group(const Content& content, const std::string& name) {
   return called(content.node_sets) || called(content.element_sets) || called(content.surfaces);
 }
 
+bool has_pretension(const Reading& reading, const std::vector<std::int32_t>& nodes) {
+  return nodes.size() == 1 &&
+         std::ranges::any_of(reading.pretensions, [name = node_name(reading, nodes.front())](
+                                                      const auto& entry) { return entry.first == name; });
+}
+
 } // namespace
 
 std::string chosen_name(Reading& reading, std::string_view kind, std::string_view label) {
@@ -38,8 +44,9 @@ std::string chosen_name(Reading& reading, std::string_view kind, std::string_vie
     return (kind == relation_kind && is_group(reading.content, unique)) ||
            !reading.names.insert(fmt::format("{} {}", kind, mesh::inp::folded(unique))).second;
   };
-  for (int i = 2; is_taken(); ++i)
-    unique = fmt::format("{}_{}", name, i);
+  auto& next = reading.next_names.try_emplace(fmt::format("{} {}", kind, name), 2).first->second;
+  while (is_taken())
+    unique = fmt::format("{}_{}", name, next++);
   return unique;
 }
 
@@ -98,8 +105,12 @@ std::optional<Target> find_target(Reading& reading, int scope, const Word& word)
                        fmt::format("found the set {} without a node, expected some", shown(found->name)));
     return std::nullopt;
   }
-  if (!found->is_set)
+  if (!found->is_set || has_pretension(reading, target.nodes))
     target.name = node_name(reading, target.nodes.front());
+  if (const auto rotation = reading.content.rotation_nodes.find(target.nodes.front());
+      target.nodes.size() == 1 && rotation != reading.content.rotation_nodes.end() &&
+      reading.used_nodes.contains(rotation->second))
+    target.rotation = rotation->second;
   const auto is_reference = [&](std::int32_t node) { return reading.references.contains(node); };
   if (target.nodes.size() == 1 && is_reference(target.nodes.front())) {
     target.reference = &reading.references.at(target.nodes.front());

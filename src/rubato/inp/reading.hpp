@@ -47,10 +47,19 @@ struct Axes {
   Word at;
 };
 
+/// Axes that lines of nodes refer to, and couplings.
+struct LocalAxes {
+  enum class Kind { rectangular, cylindrical, spherical };
+  Kind kind = Kind::rectangular;
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(); ///< columns: the axes; the third is the line otherwise
+};
+
 /// A contact property.
 struct Interaction {
   study::ContactZone numbers; ///< friction and method
   Word at;
+  bool tied = false; ///< surfaces do not part or slide
 };
 
 /// The relation that a node is the reference of; of a node for rotations alone its displacements are
@@ -65,6 +74,7 @@ struct Target {
   std::string name; ///< in a study
   std::vector<std::int32_t> nodes;
   const ReferenceNode* reference = nullptr;
+  std::int32_t rotation = -1; ///< the node whose displacements are the rotations; −1: none
 };
 
 struct Reading {
@@ -83,9 +93,16 @@ struct Reading {
   std::map<std::string, Axes> axes;
   std::map<std::string, Interaction> interactions;
   std::map<std::int32_t, ReferenceNode> references; ///< by node
-  std::set<std::string> names;                      ///< taken, of what a study names
-  std::map<std::string, double> densities;          ///< by folded label of the element set
-  std::vector<std::int32_t> with_section;           ///< elements
+  std::vector<char> body_nodes;                     ///< by node: whether an element that deforms has it
+  std::set<std::int32_t> used_nodes;                ///< of equations, springs, dashpots and masses
+  std::vector<LocalAxes> transforms;
+  std::map<std::int32_t, std::size_t> axes_of_node; ///< its axes in `transforms`
+  bool massless_contact = false;
+  std::vector<std::pair<std::string, study::Preload>> pretensions; ///< with the name of their node
+  std::set<std::string> names;                                     ///< taken, of what a study names
+  std::map<std::string, int> next_names;                           ///< numbers behind names that are taken
+  std::map<std::string, double> densities;                         ///< by folded label of the element set
+  std::vector<std::int32_t> with_section;                          ///< elements
   std::optional<double> initial_temperature;
   std::vector<std::int32_t> nodes_with_initial_temperature;
 
@@ -145,10 +162,14 @@ void read_solid_section(Reading& reading, std::size_t index);
 void read_initial_conditions(Reading& reading, std::size_t index);
 void read_coupling(Reading& reading, std::size_t index);
 void read_kinematic_coupling(Reading& reading, std::size_t index);
+void read_distributing_coupling(Reading& reading, std::size_t index);
 void read_rigid_body(Reading& reading, std::size_t index);
 void read_embedded(Reading& reading, std::size_t index);
 void read_equation(Reading& reading, std::size_t index);
 void read_mpc(Reading& reading, std::size_t index);
+void read_transform(Reading& reading, std::size_t index);
+void read_gap(Reading& reading, std::size_t index);
+void read_pretension(Reading& reading, std::size_t index);
 void read_spring(Reading& reading, std::size_t index);
 void read_dashpot(Reading& reading, std::size_t index);
 void read_mass(Reading& reading, std::size_t index);
@@ -157,6 +178,7 @@ void read_interaction(Reading& reading, std::size_t index);
 void read_surface_behavior(Reading& reading, std::size_t index);
 void read_friction(Reading& reading, std::size_t index);
 void read_contact_pair(Reading& reading, std::size_t index);
+void read_clearance(Reading& reading, std::size_t index);
 void read_general_contact(Reading& reading, std::size_t index);
 
 /// What is wrong with the elements as a whole, and what their formulations differ in.

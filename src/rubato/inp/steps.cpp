@@ -151,7 +151,17 @@ void add_supports(study::Study& study, Places& places, const History& history, c
         value_in(study, active.course, step.time.begin, step.time.end, step.number);
     study::Field field(value, function);
     field.given = active.given;
-    const auto entry = std::ranges::find(study.supports, active.on, &study::Support::on);
+    if (active.along) {
+      study::Support support;
+      support.on = active.on;
+      support.along = study::ObliqueSupport{false, *active.along, field};
+      places[fmt::format("supports.{}", study.supports.size())] = active.at.at();
+      study.supports.push_back(std::move(support));
+      continue;
+    }
+    const auto entry = std::ranges::find_if(study.supports, [&](const study::Support& support) {
+      return support.on == active.on && !support.along;
+    });
     if (entry != study.supports.end()) {
       component(*entry) = field;
       continue;
@@ -181,10 +191,29 @@ void add_temperatures(study::Study& study, Places& places, const History& histor
       material.expansion->reference = reading.initial_temperature.value_or(0);
 }
 
+/// Explicit steps with massless contact: slave surfaces have no mass, and contact is exact.
+void take_massless_contact(Reading& reading, study::Study& study, const Step& step) {
+  study.time.scheme = study::SchemeKind::moreau_jean;
+  study.time.contact_mass = study::ContactMass::redistributed;
+  study.time.step = step.time.step > 0 ? step.time.step : step.time.record;
+  study.time.record = 0;
+  for (auto& zone : study.contact)
+    if (!zone.tie) { // a law of velocities has no springs
+      zone.method = study::ContactMethod::augmented_lagrangian;
+      zone.friction_method = study::FrictionMethod::augmented_lagrangian;
+    }
+  note(reading, step.procedure_at,
+       fmt::format("explicit steps with massless contact are Moreau-Jean steps of {}: velocities jump where "
+                   "bodies hit, and the inside of bodies is integrated implicitly",
+                   study.time.step));
+}
+
 /// Explicit steps take contact by penalty on the nodes alone.
 void fit_contact(Reading& reading, study::Study& study, const Step& step) {
   if (step.procedure != Procedure::explicit_steps)
     return;
+  if (reading.massless_contact)
+    return take_massless_contact(reading, study, step);
   for (auto& zone : study.contact)
     if (!zone.tie && study::entry_of(zone.method).exact) {
       zone.method = study::ContactMethod::penalty;
@@ -220,8 +249,10 @@ study::Study study_of(Reading& reading, const History& history, const Step& step
   places[""] = step.at.at();
   add_supports(study, places, history, step);
   add_loads(study, places, history, step);
+  add_pretensions(reading, study);
   add_temperatures(study, places, history, step, reading);
   fit_contact(reading, study, step);
+  fit_formulations(reading, study, places);
   add_probes_and_fields(study, history.requests);
   return study;
 }

@@ -32,6 +32,7 @@ struct Active {
   study::LoadKind load = study::LoadKind::nodal_force;
   std::array<study::FieldValue, 3> direction{}; ///< of a load, for the magnitude 1
   int dof = 0;                                  ///< of a support: 0 to 2 displacements, 3 to 5 rotations
+  std::optional<std::array<double, 3>> along;   ///< of a support across the axes: its direction
   study::Given given = study::Given::displacement;
 };
 
@@ -88,6 +89,11 @@ double value_at_end(const Course& course, double begin, double end);
 /// Its value and the name of its function in a run from `begin` to `end`, which the study gets.
 std::pair<double, std::string> value_in(study::Study& study, const Course& course, double begin, double end,
                                         int step);
+
+/// Forces and displacements of the nodes of pre-tension sections become preloads.
+void add_pretensions(Reading& reading, study::Study& study);
+/// Materials get the formulations that the types of their elements have.
+void fit_formulations(Reading& reading, study::Study& study, Places& places);
 
 /// Every step as a study of its own.
 void read_steps(Reading& reading, Purpose purpose, Input& input);

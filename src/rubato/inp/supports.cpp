@@ -2,11 +2,13 @@
 #include "rubato/core/naming.hpp"
 #include "rubato/core/transformed.hpp"
 #include "rubato/inp/load_lines.hpp"
+#include "rubato/inp/points.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace rubato::inp {
 namespace {
@@ -28,8 +30,26 @@ constexpr std::array named_supports{NamedSupport{"ENCASTRE", {true, true, true, 
                                     NamedSupport{"YASYMM", {true, false, true, false, true, false}},
                                     NamedSupport{"ZASYMM", {true, true, false, false, false, true}}};
 
-void hold(Reading& reading, const Target& target, int dof, double value, const Word& at,
-          const Options& options, study::Given given, const Step& step, History& history) {
+/// Along the axes of the nodes: the axis of the model that this is, or a direction across these.
+std::optional<std::array<double, 3>> direction_of(const Reading& reading, const Target& target, int& dof,
+                                                  double& value) {
+  if (target.reference != nullptr || dof >= 3)
+    return std::nullopt;
+  const Eigen::Vector3d direction = axes_of(reading, target.nodes.front()).col(dof);
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::abs(direction[axis]) == 1) {
+      dof = axis;
+      value *= direction[axis];
+      return std::nullopt;
+    }
+  return std::array{direction[0], direction[1], direction[2]};
+}
+
+void hold(Reading& reading, Target target, int dof, double value, const Word& at, const Options& options,
+          study::Given given, const Step& step, History& history) {
+  turn_to_rotation(reading, target, dof);
+  const int of_axes = dof;
+  const auto along = direction_of(reading, target, dof, value);
   const auto has = has_dof(reading, target, dof);
   if (has != Has::yes) {
     if (value != 0 || has == Has::never)
@@ -45,7 +65,9 @@ void hold(Reading& reading, const Target& target, int dof, double value, const W
   active.at = at;
   active.given = given;
   active.dof = target.reference != nullptr && target.reference->rotations ? dof + 3 : dof;
-  active.key = fmt::format("BOUNDARY {} {}", folded(target.name), active.dof);
+  active.along = along;
+  active.key =
+      fmt::format("BOUNDARY {} {}{}", folded(target.name), along ? "'" : "", along ? of_axes : active.dof);
   const auto before = value_before(history, active.key);
   const bool moves = value != 0 || options.curve != nullptr;
   if (step.number > 1 && !before)
@@ -103,16 +125,18 @@ void hold_named(Reading& reading, const std::vector<Word>& fields, const Target&
                                           shown(std::string(fields[1].text)),
                                           suggestion(std::string(fields[1].text.substr(0, 100)), words)));
   }
-  for (int dof = 0; dof < 6; ++dof)
-    if (found->held.at(static_cast<std::size_t>(dof)))
-      hold(reading, target, dof, 0, fields[1], options, study::Given::displacement, step, history);
+  const bool whole = found->held[0] && found->held[1] && found->held[2];
+  for (const auto& part : whole ? std::vector{target} : with_equal_axes(reading, target))
+    for (int dof = 0; dof < 6; ++dof)
+      if (found->held.at(static_cast<std::size_t>(dof)))
+        hold(reading, part, dof, 0, fields[1], options, study::Given::displacement, step, history);
 }
 
 void read_support(Reading& reading, const std::vector<Word>& fields, int scope, const Options& options,
                   study::Given given, const Step& step, History& history) {
   const auto target = find_target(reading, scope, fields[0]);
   const auto second = field(fields, 1, fields[0]);
-  if (!target)
+  if (!target || is_unused(reading, *target, fields[0]))
     return;
   if (!second.empty() && !mesh::inp::integer_in(second.text))
     return hold_named(reading, fields, *target, options, step, history);
@@ -134,8 +158,11 @@ void read_support(Reading& reading, const std::vector<Word>& fields, int scope, 
                               fmt::format("found the displacement {} outside of a step, expected it in "
                                           "one",
                                           *value));
-  for (auto dof = *first; dof <= *last; ++dof)
-    hold(reading, *target, static_cast<int>(dof) - 1, *value, fields[0], options, given, step, history);
+  const bool whole = *value == 0 && options.curve == nullptr && *first == 1 && *last >= reading.dimension();
+  const auto targets = whole ? std::vector{*target} : with_equal_axes(reading, *target);
+  for (const auto& part : targets)
+    for (auto dof = *first; dof <= *last; ++dof)
+      hold(reading, part, static_cast<int>(dof) - 1, *value, fields[0], options, given, step, history);
 }
 
 } // namespace

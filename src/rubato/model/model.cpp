@@ -21,6 +21,7 @@
 #include "rubato/model/formulation_notes.hpp"
 #include "rubato/model/gauges.hpp"
 #include "rubato/model/large_contact.hpp"
+#include "rubato/model/lone_nodes.hpp"
 #include "rubato/model/model_forces.hpp"
 #include "rubato/model/node_label.hpp"
 #include "rubato/model/relations.hpp"
@@ -146,6 +147,7 @@ Model lay_out(const study::Study& asked, mesh::Mesh mesh, std::vector<PreloadedC
   auto numbered = rigid_faces(study, model.mesh);
   numbered.insert(numbered.end(), model.bulk.cells.begin(), model.bulk.cells.end());
   model.dofs = domain::number_dofs(model.mesh, numbered, element::component_count(study.physics));
+  add_nodes(lone_nodes(study, model.mesh, model.dofs), model.dofs);
   model.references = make_references(study, model.mesh, model.dofs, faults);
   auto notes_on_relations = set_reduction(model, stage, faults);
   model.heat = make_heat(study, model.mesh, model.dofs, model.bulk, faults);
@@ -189,6 +191,7 @@ Model lay_out(const study::Study& asked, mesh::Mesh mesh, std::vector<PreloadedC
   } else {
     check_masses(model, faults);
     check_point_masses(model, faults);
+    check_lone_masses(model, faults);
     check_massless_slaves(model, faults);
   }
   stop_on(faults);

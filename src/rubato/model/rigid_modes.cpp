@@ -40,8 +40,14 @@ void check_supported(const Model& model, std::vector<Fault>& faults) {
   motions.add_supports();
   motions.add_contact();
   const auto loose = motions.loose();
-  if (loose.empty())
+  if (loose.empty()) {
+    for (const auto node : motions.loose_nodes())
+      faults.push_back(fault_at(
+          "time", fmt::format("node {}, which belongs to no cell, is not held; expected a support, or an "
+                              "equation or a connector that ties it to something that is held",
+                              node_label(model.mesh, node))));
     return;
+  }
   std::vector<std::string> directions;
   std::ranges::transform(loose, std::back_inserter(directions), &direction_text);
   faults.push_back(fault_at(

@@ -5,6 +5,7 @@
 #include "rubato/contact/small_vectors.hpp"
 #include "rubato/linalg/dense_decompositions.hpp"
 #include "rubato/linalg/dense_products.hpp"
+#include "rubato/model/lone_nodes.hpp"
 #include "rubato/model/model.hpp"
 
 #include <fmt/format.h>
@@ -125,6 +126,18 @@ std::vector<Eigen::VectorXd> columns_told_apart(MatrixXd columns) {
   return motions;
 }
 
+/// Nodes without cells that supports do not hold whole.
+std::vector<NodeIndex> free_lone_nodes(const Model& model) {
+  auto nodes = lone_nodes_of(model);
+  std::erase_if(nodes, [&](NodeIndex node) {
+    for (int i = 0; i < model.dofs.components; ++i)
+      if (!model.reduction.is_prescribed(model.dofs.dof(node, i)))
+        return false;
+    return true;
+  });
+  return nodes;
+}
+
 bool turns(const RigidMotion& motion) {
   return contact::length_of(motion.turn) > negligible * contact::length_of(motion.shift);
 }
@@ -132,8 +145,8 @@ bool turns(const RigidMotion& motion) {
 } // namespace
 
 RigidMotions::RigidMotions(const Model& model)
-    : model_(model), bodies_(model.mesh, model.bulk), modes_(mode_count(model)),
-      gram_(MatrixXd::Zero(columns(), columns())) {
+    : model_(model), bodies_(model.mesh, model.bulk), lone_(free_lone_nodes(model)),
+      modes_(mode_count(model)), ties_bodies_(!lone_.empty()), gram_(MatrixXd::Zero(columns(), columns())) {
   Vector3d low = model.mesh.points.front();
   Vector3d high = low;
   for (const auto& point : model.mesh.points)
@@ -233,9 +246,27 @@ std::vector<RigidMotion> RigidMotions::loose() const {
       body = b;
     }
   std::vector<RigidMotion> loose;
+  if (largest <= negligible) // of nodes without cells
+    return loose;
   for (const auto& motion : columns_told_apart(part_of(motions, body * modes_, modes_, 0, count)))
     loose.push_back(motion_of(static_cast<int>(body), motion));
   return loose;
+}
+
+std::vector<NodeIndex> RigidMotions::loose_nodes() const {
+  std::vector<NodeIndex> nodes;
+  if (lone_.empty())
+    return nodes;
+  const auto [values, vectors] = linalg::symmetric_eigen(gram_);
+  const Index count = count_up_to(values, rank_tolerance * values[columns() - 1]);
+  const auto motions = part_of(vectors, 0, columns(), 0, count);
+  const Index components = model_.dofs.components;
+  for (std::size_t k = 0; k < lone_.size(); ++k) {
+    const Index first = columns_of_bodies() + static_cast<Index>(k) * components;
+    if (size_of_rows(motions, first, components) > negligible)
+      nodes.push_back(lone_[k]);
+  }
+  return nodes;
 }
 
 std::vector<RigidMotion> RigidMotions::all_of(int body) const {
@@ -346,8 +377,13 @@ void RigidMotions::add_row(const Eigen::VectorXd& row) {
 Eigen::VectorXd RigidMotions::row(NodeIndex node, const Vector3d& direction) const {
   Eigen::VectorXd r = Eigen::VectorXd::Zero(columns());
   const int body = bodies_.of(node);
-  if (body < 0)
+  if (body < 0) {
+    const auto found = std::ranges::lower_bound(lone_, node);
+    if (found != lone_.end() && *found == node)
+      for (Index a = 0; a < model_.dofs.components; ++a)
+        r[columns_of_bodies() + (found - lone_.begin()) * model_.dofs.components + a] = direction[a];
     return r;
+  }
   const Index first = static_cast<Index>(body) * modes_;
   if (modes_ == 1) {
     r[first] = direction[1];

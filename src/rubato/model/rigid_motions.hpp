@@ -44,6 +44,8 @@ public:
   /// How a body can still move that nothing holds, all bodies looked at together; none when all are held. Of
   /// several such bodies the one that moves most is given.
   std::vector<RigidMotion> loose() const;
+  /// Nodes without cells that nothing holds, all bodies and nodes looked at together.
+  std::vector<mesh::NodeIndex> loose_nodes() const;
 
   /// Every motion that a body has if nothing resists.
   std::vector<RigidMotion> all_of(int body) const;
@@ -55,7 +57,10 @@ public:
   const Bodies& bodies() const { return bodies_; }
 
 private:
-  Eigen::Index columns() const { return static_cast<Eigen::Index>(bodies_.count()) * modes_; }
+  Eigen::Index columns_of_bodies() const { return static_cast<Eigen::Index>(bodies_.count()) * modes_; }
+  Eigen::Index columns() const {
+    return columns_of_bodies() + static_cast<Eigen::Index>(lone_.size()) * model_.dofs.components;
+  }
   void add_dof(int dof);
   void add_connector(const Connector& connector);
   void add_terms(const std::vector<constraint::Term>& terms);
@@ -75,6 +80,7 @@ private:
 
   const Model& model_;
   Bodies bodies_;
+  std::vector<mesh::NodeIndex> lone_; ///< nodes without cells that supports leave free, ascending
   Eigen::Index modes_;
   Eigen::Vector3d centre_;
   double size_ = 1;

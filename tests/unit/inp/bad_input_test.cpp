@@ -65,11 +65,12 @@ TEST(BadInp, Meshes) {
       {changed("*NSET, NSET=ONE\n 1\n", "*NSET, NSET=ONE\n AL\n"),
        "a.inp:13:2: found 'AL', expected the number of a node or a set "
        "of nodes; did you mean 'ALL'?"},
-      {changed("*NSET, NSET=ONE\n 1\n", "*NSET, NSET=ONE, GENERATE\n 1, 9, 2\n"),
-       "a.inp:13:2: found node 9 in the numbers from 1 to 9 by 2, which the file does not have"},
+      {changed("*NSET, NSET=ONE\n 1\n", "*NSET, NSET=ONE, GENERATE\n 9, 1, 2\n"),
+       "a.inp:13:2: found numbers from 9 to 1 by 2, expected some above 0 that ascend"},
       {changed("*MATERIAL", "*SURFACE, NAME=S\n E, S7\n*MATERIAL"),
        "a.inp:15:5: found the face 'S7', expected S1 to S6"},
-      {changed("*MATERIAL", "*ELEMENT, TYPE=CPS4\n 2, 1, 2, 3, 4\n*MATERIAL"),
+      {changed("*MATERIAL", "*ELEMENT, TYPE=CPS4, ELSET=F\n 2, 1, 2, 3, 4\n*SOLID SECTION, ELSET=F, "
+                            "MATERIAL=STEEL\n*MATERIAL"),
        "a.inp:15:2: found a CPS4 element beside C3D8R in line 11, expected one physics in a file"},
       {changed("*MATERIAL", "*PART, NAME=P\n*MATERIAL"),
        "a.inp:14:1: found *PART without its end, expected *END PART after it"},
@@ -102,7 +103,8 @@ TEST(BadInp, Models) {
        "a.inp:21:11: found the displacement 0.5 outside of a step, expected it in one"},
       {changed("*BOUNDARY", "*CLOAD\n 1, 1, 1.\n*BOUNDARY"),
        "a.inp:20:1: found *CLOAD outside of a step, expected it in one"},
-      {changed("*BOUNDARY", "*ELEMENT, TYPE=S4, ELSET=SHELL\n 9, 1, 2, 3, 4\n*BOUNDARY"),
+      {changed("*BOUNDARY", "*ELEMENT, TYPE=S4, ELSET=SHELL\n 9, 1, 2, 3, 4\n*SOLID SECTION, ELSET=SHELL, "
+                            "MATERIAL=STEEL\n*BOUNDARY"),
        "a.inp:21:2: found S4 elements, expected solids: there are no shells, membranes, beams, trusses and "
        "rigid elements"},
       {changed("*BOUNDARY", "*CONTACT PAIR, INTERACTION=I\n A, B\n*BOUNDARY"),

@@ -40,7 +40,7 @@ void expect_twins(const std::string& name, const std::string& rest) {
 
 const std::string bar = R"(
 physics: solid
-materials: {steel: {young: 2e11, poisson: 0, density: 7800, cells: EALL}}
+materials: {steel: {young: 2e11, poisson: 0, density: 7800, cells: EALL, formulation: enhanced}}
 )";
 
 TEST(TwinsOfDecks, BeamsThatRub) {

@@ -78,14 +78,16 @@ Mesh mesh_of(const Content& content) {
   const auto cells = add_cells(content, builder, faces);
   for (const auto& [key, set] : content.node_sets)
     builder.add_to_node_group(set.group, set.items);
-  for (const auto& [key, set] : content.element_sets) {
+  const auto add_elements = [&](const std::string& group, std::span<const std::int32_t> items) {
     std::vector<MeshBuilder::CellHandle> members;
-    for (const auto index : set.items)
+    for (const auto index : items)
       if (cells[static_cast<std::size_t>(index)])
         members.push_back(*cells[static_cast<std::size_t>(index)]);
     if (!members.empty())
-      builder.add_to_cell_group(set.group, members);
-  }
+      builder.add_to_cell_group(group, members);
+  };
+  for (const auto& [key, set] : content.element_sets)
+    add_elements(set.group, set.items);
   const auto add_faces = [&](const std::string& group, std::span<const ElementFace> of_group) {
     std::vector<MeshBuilder::CellHandle> members;
     for (const auto& face : of_group)
@@ -100,6 +102,10 @@ Mesh mesh_of(const Content& content) {
   }
   for (const auto& [group, of_group] : content.loaded_faces)
     add_faces(group, of_group);
+  for (const auto& [group, items] : content.made_cells)
+    add_elements(group, items);
+  for (const auto& [group, nodes] : content.made_nodes)
+    builder.add_to_node_group(group, nodes);
   return std::move(builder).build();
 }
 

@@ -69,6 +69,33 @@ public:
         read(line, placed.scope, system, set);
   }
 
+  /// Axes of the nodes that follow: their origin, a place on x' and one in the plane of x' and y'.
+  void read_system(const Placed& placed) {
+    check_parameters(*placed.block, faults_);
+    std::vector<double> n;
+    for (const auto& line : placed.block->lines)
+      for (const auto& word : fields_of(line))
+        n.push_back(require_number(word, "a coordinate of the axes", faults_, 0).value_or(0));
+    const bool is_whole = n.size() <= 9;
+    n.resize(9);
+    turn_ = Eigen::Matrix3d::Identity();
+    origin_ = {n[0], n[1], n[2]};
+    const Eigen::Vector3d along = Eigen::Vector3d(n[3], n[4], n[5]) - origin_;
+    const Eigen::Vector3d inside = Eigen::Vector3d(n[6], n[7], n[8]) - origin_;
+    const bool turns = std::any_of(n.begin() + 3, n.end(), [](double value) { return value != 0; });
+    const bool flat = std::all_of(n.begin() + 6, n.end(), [](double value) { return value == 0; });
+    const Eigen::Vector3d normal =
+        flat ? Eigen::Vector3d(along.cross(Eigen::Vector3d(-along.y(), along.x(), 0))) : along.cross(inside);
+    if (!is_whole || (turns && !(normal.norm() > 0)))
+      return faults_.add(placed.block->at, "found no axes, expected an origin, a place on x' and one in the "
+                                           "plane of x' and y'");
+    if (!turns)
+      return;
+    turn_.col(0) = along.normalized();
+    turn_.col(2) = normal.normalized();
+    turn_.col(1) = turn_.col(2).cross(turn_.col(0));
+  }
+
 private:
   std::vector<std::int32_t>& set_of(const Placed& placed) {
     const auto* const name = placed.block->find("NSET");
@@ -98,7 +125,7 @@ private:
     if (!number)
       return;
     const auto& place = content_.layout.scopes[static_cast<std::size_t>(scope)];
-    point = place.turn * cartesian(point, system) + place.shift;
+    point = place.turn * (turn_ * cartesian(point, system) + origin_) + place.shift;
     auto& numbers = content_.node_at[static_cast<std::size_t>(scope)];
     const auto [known, is_new] =
         numbers.try_emplace(*number, static_cast<std::int32_t>(content_.points.size()));
@@ -124,6 +151,8 @@ private:
   Content& content_;
   Faults& faults_;
   std::vector<std::int32_t> unnamed_;
+  Eigen::Matrix3d turn_ = Eigen::Matrix3d::Identity(); ///< of *SYSTEM
+  Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
 };
 
 // ---- elements
@@ -333,25 +362,51 @@ void number_all(Content& content) {
   tell_apart(content.element_numbers, scopes);
 }
 
+/// Nodes in the order of the file: some are made of those above and of their sets.
+void read_nodes(Content& content, Faults& faults) {
+  NodeReader nodes(content, faults);
+  const auto& blocks = content.layout.blocks;
+  const bool of_sets = std::ranges::any_of(
+      blocks, [](const Placed& placed) { return placed.block->is("NFILL") || placed.block->is("NCOPY"); });
+  Faults told_with_sets;
+  for (const auto& placed : blocks) {
+    const auto& block = *placed.block;
+    if (block.is("NODE"))
+      nodes.read(placed);
+    else if (block.is("SYSTEM"))
+      nodes.read_system(placed);
+    else if (block.is("NGEN") || block.is("NFILL") || block.is("NCOPY"))
+      generate_nodes(content, placed, faults);
+    else if (of_sets && block.is("NSET") && block.find("ELSET") == nullptr)
+      read_node_set(content, placed, told_with_sets);
+  }
+  content.remarks.clear(); // sets are read again, with all nodes
+}
+
 void fill(Content& content, Faults& faults) {
   content.layout = lay_out(content.source, faults);
   content.node_at.resize(content.layout.scopes.size());
   content.element_at.resize(content.layout.scopes.size());
-  NodeReader nodes(content, faults);
-  for (const auto& placed : content.layout.blocks)
-    if (placed.block->is("NODE"))
-      nodes.read(placed);
+  read_nodes(content, faults);
   ElementReader elements(content, faults);
   for (const auto& placed : content.layout.blocks)
     if (placed.block->is("ELEMENT"))
       elements.read(placed);
-  find_dimension(content, faults);
+    else if (placed.block->is("ELGEN") || placed.block->is("ELCOPY"))
+      generate_elements(content, placed, faults);
   number_all(content);
   read_sets(content, faults);
+  settle_families(content);
+  find_dimension(content, faults);
   name_groups(content);
   read_surfaces(content, faults);
   name_groups(content);
   read_loaded_faces(content, faults);
+  split_sections(content);
+  find_slave_faces(content, faults);
+  adjust_slaves(content, faults);
+  find_cuts(content);
+  add_rotation_nodes(content);
   const bool has_cells = std::ranges::any_of(
       content.elements, [](const Element& element) { return element.type->cell.has_value(); });
   if (faults.empty() && (content.points.empty() || !has_cells)) {

@@ -46,6 +46,20 @@ struct Surface {
   std::vector<ElementFace> faces;
   std::vector<NodeIndex> nodes;
   std::string group; ///< of cells, or of nodes
+  /// Of nodes that are slaves of contact: the group of faces of bodies that have them, and the group of nodes
+  /// of these faces that are not on the surface. Empty: none.
+  std::string slave_faces;
+  std::string beside;
+  /// Of a pre-tension section: the group of the elements around it, its middle and its normal.
+  std::string cut_cells;
+  Eigen::Vector3d cut_point = Eigen::Vector3d::Zero();
+  Eigen::Vector3d cut_normal = Eigen::Vector3d::Zero();
+};
+
+/// What whoever reads the file should know of a line.
+struct Remark {
+  Word at;
+  std::string text;
 };
 
 /// Sets or surfaces by scope and folded label.
@@ -71,7 +85,16 @@ struct Content {
   Labelled<Set> node_sets;
   Labelled<Set> element_sets;
   Labelled<Surface> surfaces;
-  std::map<std::string, std::vector<ElementFace>> loaded_faces; ///< faces with *DLOAD by the group they get
+  /// Groups that the file has no label for: faces with *DLOAD and those of slave nodes, elements of a section
+  /// with one formulation, nodes.
+  std::map<std::string, std::vector<ElementFace>> loaded_faces;
+  std::map<std::string, std::vector<std::int32_t>> made_cells;
+  std::map<std::string, std::vector<NodeIndex>> made_nodes;
+  std::vector<Remark> remarks;
+  /// By reference node of a coupling that is written as equations: the node, at its place, whose
+  /// displacements are its rotations. In the plane the first displacement is the rotation about z.
+  std::map<NodeIndex, NodeIndex> rotation_nodes;
+  std::set<NodeIndex> shared_references; ///< reference nodes of several couplings, or of equations, too
 
   std::span<const NodeIndex> nodes_of(const Element& element) const {
     return std::span(connectivity)
@@ -104,11 +127,35 @@ std::string loaded_group(const Found& elements, int face);
 
 // ---- parts of read_content
 
+/// *NGEN, *NFILL, *NCOPY: nodes from those above.
+void generate_nodes(Content& content, const Placed& placed, Faults& faults);
+/// *ELGEN, *ELCOPY: elements from those above.
+void generate_elements(Content& content, const Placed& placed, Faults& faults);
+/// A set of nodes while nodes are read, for keywords that make nodes of sets.
+void read_node_set(Content& content, const Placed& placed, Faults& faults);
 /// Sets, in the order of the file: sets of sets name those above.
 void read_sets(Content& content, Faults& faults);
 void read_surfaces(Content& content, Faults& faults);
 /// Faces with pressures by *DLOAD.
 void read_loaded_faces(Content& content, Faults& faults);
+/// Elements without a section beside bodies become surfaces, as mesh generators write them.
+void settle_families(Content& content);
+/// Groups of the elements of each section that have one formulation, where it has several.
+void split_sections(Content& content);
+/// The elements of a set that have the formulation: the set's own group where all have it.
+std::string section_group(const Found& elements, Integration how, bool all);
+/// Middles, normals and elements of the surfaces of pre-tension sections.
+void find_cuts(Content& content);
+/// Moves slave nodes onto their masters as *TIE and *CONTACT PAIR, ADJUST= say.
+void adjust_slaves(Content& content, Faults& faults);
+/// The least and the largest distance of slave nodes from the master.
+std::pair<double, double> distances(const Content& content, const Surface& slave, const Surface& master);
+/// Nodes for the rotations of reference nodes whose couplings are no rigid or distributed relation.
+void add_rotation_nodes(Content& content);
+/// Faces that one element of a body has alone.
+std::vector<ElementFace> free_faces(const Content& content);
+/// Faces of bodies for surfaces of nodes that contact pairs and ties have as slaves.
+void find_slave_faces(Content& content, Faults& faults);
 /// Sets and surfaces get the names of their groups: their labels, with the instance before them where labels
 /// of several instances are equal.
 void name_groups(Content& content);

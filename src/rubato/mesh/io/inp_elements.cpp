@@ -28,36 +28,36 @@ constexpr std::array types{
     ElementType{"C3D6", Family::solid, 6, CellType::penta6},
     ElementType{"C3D15", Family::solid, 15, CellType::penta15},
     ElementType{"C3D8", Family::solid, 8, CellType::hexa8, averaged},
-    ElementType{"C3D8R", Family::solid, 8, CellType::hexa8, reduced},
-    ElementType{"C3D8I", Family::solid, 8, CellType::hexa8, incompatible},
+    ElementType{"C3D8R", Family::solid, 8, CellType::hexa8, reduced, Integration::reduced},
+    ElementType{"C3D8I", Family::solid, 8, CellType::hexa8, incompatible, Integration::incompatible},
     ElementType{"C3D20", Family::solid, 20, CellType::hexa20},
-    ElementType{"C3D20R", Family::solid, 20, CellType::hexa20, reduced},
+    ElementType{"C3D20R", Family::solid, 20, CellType::hexa20, reduced, Integration::reduced},
     ElementType{"C3D27", Family::solid, 27, CellType::hexa27},
-    ElementType{"C3D27R", Family::solid, 27, CellType::hexa27, reduced},
+    ElementType{"C3D27R", Family::solid, 27, CellType::hexa27, reduced, Integration::reduced},
     ElementType{"CPS3", Family::plane_stress, 3, CellType::tria3},
     ElementType{"CPS4", Family::plane_stress, 4, CellType::quad4},
-    ElementType{"CPS4R", Family::plane_stress, 4, CellType::quad4, reduced},
-    ElementType{"CPS4I", Family::plane_stress, 4, CellType::quad4, incompatible},
+    ElementType{"CPS4R", Family::plane_stress, 4, CellType::quad4, reduced, Integration::reduced},
+    ElementType{"CPS4I", Family::plane_stress, 4, CellType::quad4, incompatible, Integration::incompatible},
     ElementType{"CPS6", Family::plane_stress, 6, CellType::tria6},
     ElementType{"CPS6M", Family::plane_stress, 6, CellType::tria6, modified},
     ElementType{"CPS8", Family::plane_stress, 8, CellType::quad8},
-    ElementType{"CPS8R", Family::plane_stress, 8, CellType::quad8, reduced},
+    ElementType{"CPS8R", Family::plane_stress, 8, CellType::quad8, reduced, Integration::reduced},
     ElementType{"CPE3", Family::plane_strain, 3, CellType::tria3},
     ElementType{"CPE4", Family::plane_strain, 4, CellType::quad4, averaged},
-    ElementType{"CPE4R", Family::plane_strain, 4, CellType::quad4, reduced},
-    ElementType{"CPE4I", Family::plane_strain, 4, CellType::quad4, incompatible},
+    ElementType{"CPE4R", Family::plane_strain, 4, CellType::quad4, reduced, Integration::reduced},
+    ElementType{"CPE4I", Family::plane_strain, 4, CellType::quad4, incompatible, Integration::incompatible},
     ElementType{"CPE6", Family::plane_strain, 6, CellType::tria6},
     ElementType{"CPE6M", Family::plane_strain, 6, CellType::tria6, modified},
     ElementType{"CPE8", Family::plane_strain, 8, CellType::quad8},
-    ElementType{"CPE8R", Family::plane_strain, 8, CellType::quad8, reduced},
+    ElementType{"CPE8R", Family::plane_strain, 8, CellType::quad8, reduced, Integration::reduced},
     ElementType{"CAX3", Family::axisymmetric, 3, CellType::tria3},
     ElementType{"CAX4", Family::axisymmetric, 4, CellType::quad4, averaged},
-    ElementType{"CAX4R", Family::axisymmetric, 4, CellType::quad4, reduced},
-    ElementType{"CAX4I", Family::axisymmetric, 4, CellType::quad4, incompatible},
+    ElementType{"CAX4R", Family::axisymmetric, 4, CellType::quad4, reduced, Integration::reduced},
+    ElementType{"CAX4I", Family::axisymmetric, 4, CellType::quad4, incompatible, Integration::incompatible},
     ElementType{"CAX6", Family::axisymmetric, 6, CellType::tria6},
     ElementType{"CAX6M", Family::axisymmetric, 6, CellType::tria6, modified},
     ElementType{"CAX8", Family::axisymmetric, 8, CellType::quad8},
-    ElementType{"CAX8R", Family::axisymmetric, 8, CellType::quad8, reduced},
+    ElementType{"CAX8R", Family::axisymmetric, 8, CellType::quad8, reduced, Integration::reduced},
     ElementType{"SFM3D3", Family::skin, 3, CellType::tria3},
     ElementType{"SFM3D4", Family::skin, 4, CellType::quad4},
     ElementType{"SFM3D4R", Family::skin, 4, CellType::quad4},
@@ -95,6 +95,7 @@ constexpr std::array types{
     ElementType{"SPRING1", Family::spring, 1, std::nullopt},
     ElementType{"SPRING2", Family::spring, 2, std::nullopt},
     ElementType{"SPRINGA", Family::spring, 2, std::nullopt},
+    ElementType{"GAPUNI", Family::spring, 2, std::nullopt},
     ElementType{"DASHPOT1", Family::dashpot, 1, std::nullopt},
     ElementType{"DASHPOT2", Family::dashpot, 2, std::nullopt},
     ElementType{"DASHPOTA", Family::dashpot, 2, std::nullopt},
@@ -109,6 +110,16 @@ const ElementType* element_type_named(std::string_view name) {
   const auto wanted = folded(name);
   const auto* const found = std::ranges::find(types, std::string_view(wanted), &ElementType::name);
   return found == types.end() ? nullptr : found;
+}
+
+const ElementType* as_skin(const ElementType& type) {
+  static const auto skins = [] {
+    auto all = types;
+    for (auto& row : all)
+      row.family = Family::skin;
+    return all;
+  }();
+  return &skins.at(static_cast<std::size_t>(&type - types.data()));
 }
 
 std::string nearest_element_type(std::string_view name) {

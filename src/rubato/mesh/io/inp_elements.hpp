@@ -24,19 +24,30 @@ enum class Family {
   dashpot
 };
 
+/// How a type of element integrates its stiffness.
+enum class Integration {
+  full,
+  incompatible, ///< with incompatible modes
+  reduced       ///< at fewer points than full integration
+};
+
 /// One type of element. Corners and mid-edge nodes come in the order of the cell type.
 struct ElementType {
   std::string_view name;
   Family family;
   int node_count;
   std::optional<CellType> cell;  ///< none: it becomes no cell
-  std::string_view differs = {}; ///< what its formulation has that the cell has not; empty: nothing
+  std::string_view differs = {}; ///< what its formulation has that full integration has not
+  Integration how = Integration::full;
 };
 
 /// By its name in any case; nullptr when there is none.
 const ElementType* element_type_named(std::string_view name);
 std::string nearest_element_type(std::string_view name);
 std::span<const ElementType> all_element_types();
+
+/// The type as a surface without stiffness.
+const ElementType* as_skin(const ElementType& type);
 
 /// Whether cells of the family deform.
 constexpr bool is_continuum(Family family) {

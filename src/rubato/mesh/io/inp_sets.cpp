@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace rubato::mesh::inp {
 namespace {
@@ -72,30 +73,56 @@ std::optional<Found> find(const Kind& kind, const Content& content, int scope, c
 
 // ---- sets
 
-/// The numbers first, first + step … last; all of them must be there.
-void generate(const Kind& kind, const Content& content, int scope, const std::vector<Word>& fields,
+/// The numbers of first, first + step … last that the file has, in the order of the file.
+std::vector<std::int32_t> items_in_range(const Numbers& numbers, std::int64_t first, std::int64_t last,
+                                         std::int64_t step) {
+  std::vector<std::int32_t> items;
+  if ((last - first) / step < static_cast<std::int64_t>(numbers.size())) {
+    for (auto number = first; number <= last; number += step)
+      if (const auto found = numbers.find(number); found != numbers.end())
+        items.push_back(found->second);
+    return items;
+  }
+  for (const auto& [number, item] : numbers)
+    if (number >= first && number <= last && (number - first) % step == 0)
+      items.push_back(item);
+  return items;
+}
+
+/// The numbers first, first + step … last that the file has; a remark where some are missing.
+void generate(const Kind& kind, Content& content, int scope, const std::vector<Word>& fields,
               std::vector<std::int32_t>& items, Faults& faults) {
+  constexpr std::size_t most = 3;
   const auto first = require_integer(fields[0], "the first number", faults);
-  const auto last = require_integer(field(fields, 1, fields[0]), "the last number", faults);
-  const auto step = fields.size() > 2 ? require_integer(fields[2], "the step of the numbers", faults) : 1;
+  const auto second = field(fields, 1, fields[0]);
+  const auto last = second.empty() ? first : require_integer(second, "the last number", faults);
+  const auto third = field(fields, 2, second);
+  const auto step = third.empty() ? 1 : require_integer(third, "the step of the numbers", faults);
   if (!first || !last || !step)
     return;
-  if (*step < 1 || *last < *first || *first < 1)
+  if (*step < 1 || *last < *first || *first < 1 || fields.size() > most)
     return faults.add(fields[0],
                       fmt::format("found numbers from {} to {} by {}, expected some above 0 that ascend",
                                   *first, *last, *step));
   const auto& numbers = (content.*kind.numbers)[static_cast<std::size_t>(scope)];
-  for (auto number = *first; number <= *last; number += *step) {
-    const auto found = numbers.find(number);
-    if (found == numbers.end())
-      return faults.add(fields[0],
-                        fmt::format("found {} {} in the numbers from {} to {} by {}, which the file does not "
-                                    "have",
-                                    kind.what, number, *first, *last, *step));
-    items.push_back(found->second);
-    if (*step > *last - number)
-      break;
-  }
+  const auto found = items_in_range(numbers, *first, *last, *step);
+  const auto wanted = (*last - *first) / *step + 1;
+  if (static_cast<std::int64_t>(found.size()) < wanted)
+    content.remarks.push_back(
+        {fields[0], fmt::format("the numbers from {} to {} by {} are {}, of which the file has {} {}s; these "
+                                "are taken",
+                                *first, *last, *step, wanted, found.size(), kind.what)});
+  items.insert(items.end(), found.begin(), found.end());
+}
+
+/// Whether the word is a number that no node or element has; a remark of it then.
+bool is_missing_number(const Kind& kind, Content& content, int scope, const Word& word) {
+  const auto number = integer_in(word.text);
+  if (!number || (content.*kind.numbers)[static_cast<std::size_t>(scope)].contains(*number))
+    return false;
+  content.remarks.push_back(
+      {word, fmt::format("{} {} is not in the file and is left out of the set", kind.what, *number)});
+  return true;
 }
 
 void add_nodes_of(const Content& content, std::span<const std::int32_t> elements,
@@ -145,7 +172,7 @@ void read_set(const Kind& kind, Content& content, const Placed& placed, Faults& 
       generate(kind, content, *scope, fields, items, faults);
     else
       for (const auto& word : fields)
-        if (!word.empty())
+        if (!word.empty() && !is_missing_number(kind, content, *scope, word))
           if (const auto found = find(kind, content, *scope, word, faults); found)
             items.insert(items.end(), found->items.begin(), found->items.end());
   }
@@ -320,6 +347,18 @@ bool has_cells(const Content& content, const Set& set) {
 }
 
 } // namespace
+
+std::vector<ElementFace> free_faces(const Content& content) {
+  std::vector<std::int32_t> all(content.elements.size());
+  std::iota(all.begin(), all.end(), 0);
+  std::vector<ElementFace> faces;
+  FreeFaces(content).add(all, faces);
+  return faces;
+}
+
+void read_node_set(Content& content, const Placed& placed, Faults& faults) {
+  read_set(nodes_kind, content, placed, faults);
+}
 
 void read_sets(Content& content, Faults& faults) {
   for (auto* sets : {&content.node_sets, &content.element_sets})
