@@ -112,6 +112,19 @@ template <> struct Description<Probe> {
 };
 template struct RecordCodec<Probe>;
 
+template <> struct Description<PrintedTable> {
+  static constexpr std::string_view name = "PrintedTable";
+  static constexpr std::string_view meaning = "A table of tables.dat, in the layout of CalculiX's .dat file.";
+  static constexpr auto members =
+      std::tuple(Member{"of", &PrintedTable::of, "what its lines are of"},
+                 Member{"on", &PrintedTable::on, "group, node or zone; empty: all of them"},
+                 Member{"label", &PrintedTable::label, "that the heading has; empty: the group"},
+                 Member{"quantities", &PrintedTable::quantities, "by CalculiX's words, \"U\""},
+                 Member{"totals", &PrintedTable::totals, "sums beside the lines or alone"},
+                 Member{"every", &PrintedTable::every, "every n-th step, and the last one; 0: none"});
+};
+template struct RecordCodec<PrintedTable>;
+
 template <> struct Description<FieldOutput> {
   static constexpr std::string_view name = "FieldOutput";
   static constexpr std::string_view meaning = "Which fields a run writes, when and how.";
@@ -119,12 +132,16 @@ template <> struct Description<FieldOutput> {
       std::tuple(Member{"vtu", &FieldOutput::vtu, "whether to write .vtu files"},
                  Member{"med", &FieldOutput::med, "whether to write fields.med"},
                  Member{"vtkhdf", &FieldOutput::vtkhdf, "whether to write VTKHDF"},
+                 Member{"frd", &FieldOutput::frd, "whether to write fields.frd (CalculiX GraphiX)"},
+                 Member{"frd_binary", &FieldOutput::frd_binary, "whether that has binary numbers"},
+                 Member{"step", &FieldOutput::step, "number of the step in .frd files, at least 1"},
                  Member{"only", &FieldOutput::only, "fields instead of the usual ones; empty: these"},
                  Member{"also", &FieldOutput::also, "fields beside the usual ones"},
                  Member{"digits", &FieldOutput::digits, "of numbers in .vtu and VTKHDF files, from 6 to 17"},
                  Member{"at", &FieldOutput::at, "instants [time]"},
                  Member{"every", &FieldOutput::every, "and every n-th step; 0: none"},
-                 Member{"last", &FieldOutput::last, "and the last one"});
+                 Member{"last", &FieldOutput::last, "and the last one"},
+                 Member{"tables", &FieldOutput::tables, "of tables.dat"});
 };
 template struct RecordCodec<FieldOutput>;
 
@@ -214,9 +231,16 @@ std::vector<RecordEntry> run_records() {
 }
 
 std::vector<RecordEntry> result_records() {
-  return {record_entry<Cut>(),          record_entry<ContactForce>(),     record_entry<Preload>(),
-          record_entry<Probe>(),        record_entry<FieldOutput>(),      record_entry<CheckpointOutput>(),
-          record_entry<CheckedField>(), record_entry<CheckedResultant>(), record_entry<Check>()};
+  return {record_entry<Cut>(),
+          record_entry<ContactForce>(),
+          record_entry<Preload>(),
+          record_entry<Probe>(),
+          record_entry<PrintedTable>(),
+          record_entry<FieldOutput>(),
+          record_entry<CheckpointOutput>(),
+          record_entry<CheckedField>(),
+          record_entry<CheckedResultant>(),
+          record_entry<Check>()};
 }
 
 } // namespace rubato::python

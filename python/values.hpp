@@ -83,6 +83,7 @@ extern template struct RecordCodec<study::Orthotropy>;
 extern template struct RecordCodec<study::Plasticity>;
 extern template struct RecordCodec<study::PointMasses>;
 extern template struct RecordCodec<study::Preload>;
+extern template struct RecordCodec<study::PrintedTable>;
 extern template struct RecordCodec<study::Probe>;
 extern template struct RecordCodec<study::PronyTerm>;
 extern template struct RecordCodec<study::Relation>;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // The enumerations of a study, by the words that decks have for them.
-#include "rubato/study/words.hpp"
+#include "rubato/study/table_words.hpp"
 
 #include "rubato/cell/topology.hpp"
 
@@ -178,6 +178,14 @@ template <> const WordList& words_of<study::ProbePlace>() {
   static const auto list = listed("ProbePlace", "Where a probe has its values.", study::probe_place_words);
   return list;
 }
+template <> const WordList& words_of<study::TableOf>() {
+  static const auto list = listed("TableOf", "What the lines of a table are of.", study::table_of_words);
+  return list;
+}
+template <> const WordList& words_of<study::TableTotals>() {
+  static const auto list = listed("TableTotals", "Sums of a table.", study::table_totals_words);
+  return list;
+}
 template <> const WordList& words_of<study::CheckedTime>() {
   static const auto list = listed("CheckedTime", "When a checked history has its value.",
                                   study::checked_time_words, {{"instant", study::CheckedTime::instant}});
@@ -212,7 +220,8 @@ std::vector<const WordList*> all_words() {
           &words_of<ContactMass>(),    &words_of<StartKind>(),
           &words_of<ProbeField>(),     &words_of<ProbeTake>(),
           &words_of<ProbePlace>(),     &words_of<CheckedTime>(),
-          &words_of<CheckSource>(),    &words_of<Axis>()};
+          &words_of<CheckSource>(),    &words_of<TableOf>(),
+          &words_of<TableTotals>(),    &words_of<Axis>()};
 }
 
 } // namespace rubato::python

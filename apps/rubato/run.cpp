@@ -3,6 +3,7 @@
 #include "rubato/linalg/petsc_module.hpp"
 #include "rubato/model/build_model.hpp"
 #include "rubato/model/model.hpp"
+#include "rubato/results/ccx_files.hpp"
 #include "rubato/results/run_folder.hpp"
 #include "rubato/run/run_study.hpp"
 
@@ -156,6 +157,16 @@ RunSettings settings_of(const RunArguments& arguments, int at_once) {
           {}};
 }
 
+/// Joins what the steps of an .inp file have written to one .dat and one .frd file, called as it is.
+void join_steps(const deck::Deck& deck, const RunArguments& arguments) {
+  if (!is_inp(arguments.deck))
+    return;
+  std::vector<std::string> runs;
+  for (const auto& study : deck.runs)
+    runs.push_back(study.name);
+  results::join_ccx_files(output_of(arguments), runs, arguments.deck.stem().string());
+}
+
 /// With the others that `mpiexec` started.
 int run_as_rank(const RunArguments& arguments, const std::stop_token& stop) {
   const auto ranks = linalg::join_ranks();
@@ -167,7 +178,10 @@ int run_as_rank(const RunArguments& arguments, const std::stop_token& stop) {
       return ranks.is_first() ? show_plans(deck, output_of(arguments), arguments.resume) : done;
     auto settings = settings_of(arguments, ranks.count_here());
     settings.ranks = ranks;
-    return Series(deck, settings, stop).run();
+    const int code = Series(deck, settings, stop).run();
+    if (ranks.is_first())
+      join_steps(deck, arguments);
+    return code;
   });
 }
 
@@ -176,7 +190,9 @@ int run_several_at_once(const deck::Deck& deck, const RunArguments& arguments) {
     return code;
   prepare(deck, arguments);
   const auto at_once = std::min(arguments.jobs, static_cast<int>(deck.runs.size()));
-  return run_side_by_side(deck, settings_of(arguments, at_once), arguments.jobs);
+  const int code = run_side_by_side(deck, settings_of(arguments, at_once), arguments.jobs);
+  join_steps(deck, arguments);
+  return code;
 }
 
 } // namespace
@@ -193,7 +209,10 @@ int run(const RunArguments& arguments) {
   if (arguments.dry)
     return show_plans(deck, output_of(arguments), arguments.resume);
   const auto settings = settings_of(arguments, 1);
-  return run_interruptibly([&](const std::stop_token& stop) { return Series(deck, settings, stop).run(); });
+  const int code =
+      run_interruptibly([&](const std::stop_token& stop) { return Series(deck, settings, stop).run(); });
+  join_steps(deck, arguments);
+  return code;
 }
 
 } // namespace rubato::app

@@ -3,6 +3,7 @@
 #include "rubato/core/naming.hpp"
 #include "rubato/deck/parts.hpp"
 #include "rubato/study/stored_fields.hpp"
+#include "rubato/study/table_words.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -101,7 +102,32 @@ void read_formats(const Found& value, study::FieldOutput& fields) {
   const auto list = value->tree().is(Tree::Kind::list) ? items(value) : std::vector<Value>{*value};
   for (const auto& format : list)
     if (const auto choice = read_choice(format, {study::field_formats.begin(), study::field_formats.end()}))
-      (*choice == 0 ? fields.vtu : *choice == 1 ? fields.med : fields.vtkhdf) = true;
+      (*choice == 0   ? fields.vtu
+       : *choice == 1 ? fields.med
+       : *choice == 2 ? fields.vtkhdf
+                      : fields.frd) = true;
+}
+
+/// A table is of what its first key names: nodes, cells, faces or zones.
+study::PrintedTable read_table(const Value& value) {
+  study::PrintedTable table;
+  MapReader map(value);
+  int given = 0;
+  for (const auto& word : study::table_of_words)
+    if (read_name(map.find(word.text), table.on)) {
+      table.of = word.value;
+      ++given;
+    }
+  if (map.is_map() && given != 1)
+    value.fault("expected one of the keys 'nodes', 'cells', 'faces' and 'zones'");
+  if (table.on == study::everywhere)
+    table.on.clear();
+  read_names(map.require("quantities"), table.quantities);
+  read_name(map.find("label"), table.label);
+  read(map.find("totals"), table.totals, study::table_totals_words);
+  read(map.find("every"), table.every);
+  map.finish();
+  return table;
 }
 
 void read_chosen_fields(const Found& value, std::vector<std::string>& fields) {
@@ -143,6 +169,11 @@ void read_fields(const Found& value, study::FieldOutput& fields) {
   read(map.find("at"), fields.at);
   read(map.find("every"), fields.every);
   read(map.find("last"), fields.last);
+  read(map.find("frd"), fields.frd_binary, study::frd_words);
+  read(map.find("step"), fields.step);
+  if (const auto tables = map.find("tables"))
+    for (const auto& table : items(*tables))
+      fields.tables.push_back(read_table(table));
   map.finish();
 }
 

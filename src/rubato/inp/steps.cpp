@@ -3,6 +3,7 @@
 
 #include "rubato/core/naming.hpp"
 #include "rubato/study/contact_methods.hpp"
+#include "rubato/study/table_words.hpp"
 #include "rubato/study/validate.hpp"
 
 #include <fmt/format.h>
@@ -24,8 +25,11 @@ struct StepKeyword {
 constexpr std::array procedures{StepKeyword{"STATIC", read_static}, StepKeyword{"DYNAMIC", read_dynamic},
                                 StepKeyword{"FREQUENCY", read_frequency}};
 constexpr std::array requests{
-    StepKeyword{"NODE PRINT", read_node_history}, StepKeyword{"NODE OUTPUT", read_node_history},
-    StepKeyword{"NODE FILE", read_field_request}, StepKeyword{"EL FILE", read_field_request},
+    StepKeyword{"NODE PRINT", read_print},      StepKeyword{"EL PRINT", read_print},
+    StepKeyword{"SECTION PRINT", read_print},   StepKeyword{"CONTACT PRINT", read_print},
+    StepKeyword{"NODE OUTPUT", read_output},    StepKeyword{"ELEMENT OUTPUT", read_output},
+    StepKeyword{"CONTACT OUTPUT", read_output}, StepKeyword{"NODE FILE", read_field_request},
+    StepKeyword{"EL FILE", read_field_request}, StepKeyword{"CONTACT FILE", read_field_request},
     StepKeyword{"OUTPUT", read_field_request}};
 
 struct LoadKeyword {
@@ -223,15 +227,32 @@ void fit_contact(Reading& reading, study::Study& study, const Step& step) {
     }
 }
 
-void add_probes_and_fields(study::Study& study, const Requests& asked) {
+void add_probes_and_fields(Reading& reading, study::Study& study, const Requests& asked, int step,
+                           const Word& at) {
   study.probes = asked.probes;
   if (study.temperatures.empty())
     std::erase_if(study.probes,
                   [](const auto& probe) { return probe.field == study::ProbeField::temperature; });
   study.fields = asked.fields;
-  if (!study.fields.vtu)
-    study.fields = {};
-  study.time.stops = study.fields.at;
+  study.fields.step = step;
+  auto& stops = study.time.stops;
+  stops.insert(stops.end(), study.fields.at.begin(), study.fields.at.end());
+  std::ranges::sort(stops);
+  stops.erase(std::ranges::unique(stops).begin(), stops.end());
+  std::erase_if(study.fields.tables, [&](const study::PrintedTable& table) {
+    return table.of == study::TableOf::zones && study.contact.empty();
+  });
+  const bool has_energy = std::ranges::any_of(study.fields.tables, [](const auto& table) {
+    return std::ranges::find(table.quantities, "ENER") != table.quantities.end() ||
+           std::ranges::find(table.quantities, "ELSE") != table.quantities.end();
+  });
+  if (!has_energy || study::stores_half_of_products(study))
+    return;
+  for (auto& table : study.fields.tables)
+    std::erase_if(table.quantities,
+                  [](const std::string& quantity) { return quantity == "ENER" || quantity == "ELSE"; });
+  std::erase_if(study.fields.tables, [](const auto& table) { return table.quantities.empty(); });
+  note(reading, at, "ENER and ELSE are left out: tables have them of elastic materials with small strains");
 }
 
 study::Study study_of(Reading& reading, const History& history, const Step& step, const std::string& previous,
@@ -253,7 +274,7 @@ study::Study study_of(Reading& reading, const History& history, const Step& step
   add_temperatures(study, places, history, step, reading);
   fit_contact(reading, study, step);
   fit_formulations(reading, study, places);
-  add_probes_and_fields(study, history.requests);
+  add_probes_and_fields(reading, study, history.requests, step.number, step.at);
   return study;
 }
 
@@ -368,8 +389,7 @@ void read_steps(Reading& reading, Purpose purpose, Input& input) {
     step.name = step_name(reading, *steps[i].begin->block, number, steps.size());
     read_loads(reading, steps[i], step, history);
     check_velocities(reading, step, history);
-    if (step.requests.some || i == 0)
-      history.requests = step.requests;
+    renew_requests(reading, step, history.requests);
     const bool is_modes = step.procedure == Procedure::modes;
     if (is_modes && purpose == Purpose::run)
       reading.faults.add(step.procedure_at,

@@ -41,8 +41,9 @@ enum class Procedure { none, steps, explicit_steps, dynamic, modes };
 /// What is asked for of results.
 struct Requests {
   std::vector<study::Probe> probes;
-  study::FieldOutput fields;
-  bool some = false; ///< whether the step asks for any
+  study::FieldOutput fields;        ///< with the tables
+  const Block* of_fields = nullptr; ///< the last request of files of fields
+  std::set<study::TableOf> tables;  ///< of what the step asks for tables or histories
 };
 
 struct Step {
@@ -55,7 +56,8 @@ struct Step {
   bool ramp = true; ///< default of loads
   std::optional<int> mode_count;
   Requests requests;
-  bool of_fields = false; ///< the last *OUTPUT is one of fields
+  std::optional<bool> of_fields; ///< whether the last *OUTPUT is one of fields; none: there is none
+  int output_every = 1;          ///< FREQUENCY of the last *OUTPUT of histories
 };
 
 /// What goes on from step to step.
@@ -81,8 +83,20 @@ void read_dload(Reading& reading, const Placed& placed, const Step& step, Histor
 void read_dsload(Reading& reading, const Placed& placed, const Step& step, History& history);
 void read_temperature(Reading& reading, const Placed& placed, const Step& step, History& history);
 
-void read_node_history(Reading& reading, const Placed& placed, Step& step);
+void read_print(Reading& reading, const Placed& placed, Step& step);
+void read_output(Reading& reading, const Placed& placed, Step& step);
 void read_field_request(Reading& reading, const Placed& placed, Step& step);
+/// Requests of a step replace earlier ones of the same kind: nodes, cells, faces, contact, files of fields.
+/// Other earlier requests remain.
+void renew_requests(Reading& reading, const Step& step, Requests& requests);
+/// Sets when fields are written: at time points, at equal parts of the step, or at every n-th increment.
+void read_instants(Reading& reading, const Block& block, const Step& step, study::FieldOutput& fields);
+/// Instants within the step of the *TIME POINTS that a request names [total time]; none without.
+std::vector<double> time_points(Reading& reading, const Block& block, const Step& step);
+/// Reads the quantities of a request of fields. A note names those that are not available.
+void add_field_words(Reading& reading, const Block& block, Step& step);
+/// Adds probes named after the set or node. Returns false if probes do not have the quantity there.
+bool add_probes(Reading& reading, const Placed& placed, const Word& set, std::string_view word, Step& step);
 
 /// The value of an active load or support at the end of a step.
 double value_at_end(const Course& course, double begin, double end);

@@ -168,7 +168,7 @@ std::vector<ProbedCells> make_probe_cells(const study::Study& study, const mesh:
                                           const domain::Bulk& bulk, std::vector<Fault>& faults,
                                           std::vector<std::string>& notes);
 
-/// Faults for probes of contact zones that there are not.
+/// Faults for probes and tables of contact zones, and for tables of groups, that there are not.
 void check_probed_zones(const Model& model, std::vector<Fault>& faults);
 
 /// The cuts of those probes that are sections, empty ones for the others.

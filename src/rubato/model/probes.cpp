@@ -6,6 +6,7 @@
 #include "rubato/model/build.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/model/node_label.hpp"
+#include "rubato/study/table_words.hpp"
 
 #include <fmt/format.h>
 
@@ -128,6 +129,33 @@ std::vector<Nodes> make_probe_nodes(const study::Study& study, const mesh::Mesh&
   return nodes;
 }
 
+namespace {
+
+void check_zone_of_table(const study::PrintedTable& table, const std::string& path,
+                         const std::vector<std::string>& zones, std::vector<Fault>& faults) {
+  if (std::ranges::find(zones, table.on) == zones.end())
+    faults.push_back(fault_at(
+        path, fmt::format("no contact zone is called {}{}", shown(table.on), suggestion(table.on, zones))));
+}
+
+void check_tables(const Model& model, const std::vector<std::string>& zones, std::vector<Fault>& faults) {
+  const auto& tables = model.study.fields.tables;
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    const auto& table = tables[i];
+    const auto path = fmt::format("fields.tables.{}.{}", i, study::word_of(study::table_of_words, table.of));
+    if (table.on.empty())
+      continue;
+    if (table.of == study::TableOf::zones)
+      check_zone_of_table(table, path, zones, faults);
+    else if (table.of != study::TableOf::nodes)
+      cells_named(model.mesh, {table.on, path}, faults);
+    else if (reference_named(model.references, table.on) == nullptr)
+      nodes_or_fault(model.mesh, {table.on, path}, faults);
+  }
+}
+
+} // namespace
+
 void check_probed_zones(const Model& model, std::vector<Fault>& faults) {
   std::vector<std::string> names;
   for (const auto& zone : model.zones)
@@ -137,6 +165,7 @@ void check_probed_zones(const Model& model, std::vector<Fault>& faults) {
       faults.push_back(fault_at(fmt::format("probes.{}.contact.zone", probe.name),
                                 fmt::format("no contact zone is called {}{}", shown(probe.contact->zone),
                                             suggestion(probe.contact->zone, names))));
+  check_tables(model, names, faults);
 }
 
 void check_compared_places(const study::Study& study, const mesh::Mesh& mesh, std::vector<Fault>& faults) {

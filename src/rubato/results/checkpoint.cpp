@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// One list of what a checkpoint holds serves both directions: `exchange` walks through it, an archive writes
-// what it is shown or replaces it by what it reads.
+// `exchange` lists what a checkpoint holds; an archive writes each entry or replaces it by what it reads.
 #include "rubato/results/checkpoint.hpp"
 
 #include "rubato/contact/explicit_penalty.hpp"
@@ -371,6 +370,7 @@ template <class Archive> void exchange(Archive& archive, RecorderPosition& posit
   archive.text("files/vtkhdf_copy", position.vtkhdf_copy);
   archive.whole("files/vtkhdf_instants", position.vtkhdf_instants);
   archive.whole("files/unwritten", position.unwritten);
+  archive.text_if("files/ccx", position.ccx);
 }
 
 template <class Archive> void exchange(Archive& archive, simulation::ExplicitProgress& progress) {

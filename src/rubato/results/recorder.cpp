@@ -6,6 +6,7 @@
 #include "rubato/mesh/io/med.hpp"
 #include "rubato/model/model.hpp"
 #include "rubato/results/attempt_json.hpp"
+#include "rubato/results/ccx_files.hpp"
 #include "rubato/results/cell_fields.hpp"
 #include "rubato/results/contact_table.hpp"
 #include "rubato/results/growing_file.hpp"
@@ -73,6 +74,8 @@ public:
       mesh::write_med(med_->path(), model_.mesh, mesh_name);
     if (vtkhdf_)
       start_vtkhdf(vtkhdf_->path(), model_.mesh);
+    if (model_.study.fields.frd || !model_.study.fields.tables.empty())
+      ccx_.emplace(model_, folder_);
   }
 
   Impl(const model::Model& model, std::filesystem::path folder, const RecorderPosition& position)
@@ -89,6 +92,8 @@ public:
       contact_.emplace_back(model_, z, folder_, position.contact.at(z));
     }
     restore_fields();
+    if (!position.ccx.empty())
+      ccx_.emplace(model_, folder_, position.ccx);
     write_summary(running, {});
   }
 
@@ -130,6 +135,8 @@ public:
     const auto& told = other_motion ? *other_motion : now;
     write_probes(told);
     write_resultants(told);
+    if (ccx_)
+      ccx_->write_tables(told, steps_done_, last);
     write_attempt(attempt, report);
     const bool wanted = wants_fields(now.t, now.t - before.t, last);
     unwritten_ = !wanted && model_.study.fields.last;
@@ -166,6 +173,8 @@ public:
       resultants_[z].cut(mark.resultants[z]);
     for (std::size_t z = 0; z < contact_.size(); ++z)
       contact_[z].cut(mark.contact[z]);
+    if (ccx_)
+      ccx_->cut(mark.ccx);
     auto entries = series_.entries();
     entries.resize(mark.fields);
     series_ = PvdSeries(folder_ / pvd_file, std::move(entries));
@@ -196,6 +205,8 @@ public:
       position.vtkhdf_copy = vtkhdf_->name_copy(steps_done_);
     position.vtkhdf_instants = vtkhdf_instants_;
     position.unwritten = unwritten_;
+    if (ccx_)
+      position.ccx = ccx_->position();
     return position;
   }
 
@@ -230,11 +241,21 @@ private:
     std::size_t history = 0;
     int steps_done = 0;
     bool unwritten = false;
+    std::string ccx;
   };
 
   void mark() {
-    mark_ = {probes_.bytes(),          steps_.bytes(),   energy_.bytes(),      {},          {},
-             series_.entries().size(), vtkhdf_instants_, history_.rows.size(), steps_done_, unwritten_};
+    mark_ = {probes_.bytes(),
+             steps_.bytes(),
+             energy_.bytes(),
+             {},
+             {},
+             series_.entries().size(),
+             vtkhdf_instants_,
+             history_.rows.size(),
+             steps_done_,
+             unwritten_,
+             ccx_ ? ccx_->position() : ""};
     for (const auto& table : resultants_)
       mark_->resultants.push_back(table.bytes());
     for (const auto& table : contact_)
@@ -376,7 +397,7 @@ private:
 
   void write_fields(const step::State& now) {
     const auto& output = model_.study.fields;
-    if (!output.vtu && !output.med && !output.vtkhdf)
+    if (!output.vtu && !output.med && !output.vtkhdf && !output.frd)
       return;
     const auto owned = nodal_fields(model_, now, output);
     const auto in_cells = cell_fields(model_, now, output);
@@ -392,6 +413,8 @@ private:
       append_vtkhdf(vtkhdf_->path(), model_.mesh, {vtkhdf_instants_++, now.t}, fields, in_cells,
                     output.digits);
     }
+    if (ccx_ && steps_done_ > 0)
+      ccx_->write_fields(now, steps_done_, owned);
     if (med_) {
       med_->keep_copy();
       append_med_fields(med_->path(), mesh_name, {steps_done_, now.t}, fields, "", in_cells);
@@ -412,6 +435,7 @@ private:
   std::optional<step::State> unwritten_state_; // it, where its surfaces have no mass
   std::optional<GrowingFile> med_;
   std::optional<GrowingFile> vtkhdf_;
+  std::optional<CcxFiles> ccx_;
   int vtkhdf_instants_ = 0;
   std::optional<Mark> mark_; // before the attempt that was written last
   int steps_done_ = 0;

@@ -8,7 +8,8 @@
 ///   contact_<zone>.csv     at the chosen instants, one line a contact point (contact_table.hpp)
 ///   energy.csv             t and the parts of the energy ledger
 ///   steps.jsonl            one JSON object a step tried, accepted or not
-///   fields/*.vtu, *.pvd    and fields.med, fields.vtkhdf, at the chosen instants
+///   tables.dat             tables in the layout of CalculiX's .dat file (tables.hpp)
+///   fields/*.vtu, *.pvd    and fields.med, fields.vtkhdf, fields.frd, at the chosen instants
 ///   run.json               status, the study, versions, timings, iterations, checks of the deck and of the
 ///                          run itself; there from the start, with status "running"
 #pragma once
@@ -59,7 +60,8 @@ struct RecorderPosition {
   std::uintmax_t energy = 0;
   std::vector<std::uintmax_t> resultants; ///< one a zone
   std::vector<std::uintmax_t> contact;    ///< one a zone
-  std::vector<double> field_times;        ///< of the .vtu files
+  std::string ccx; ///< bytes of tables.dat; bytes, instants and blocks of fields.frd; empty: no such files
+  std::vector<double> field_times; ///< of the .vtu files
   std::vector<std::string> field_files;
   std::string med_copy;    ///< of fields.med, made when that grows again; empty: no such file
   std::string vtkhdf_copy; ///< likewise of fields.vtkhdf

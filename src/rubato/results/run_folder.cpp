@@ -36,8 +36,8 @@ bool is_copy_of_fields(const std::string& name) {
 }
 
 bool is_file_of_a_run(const std::string& name) {
-  constexpr std::array known{probes_file, energy_file, steps_file,      pvd_file,
-                             med_file,    vtkhdf_file, checkpoint_file, report_file};
+  constexpr std::array known{probes_file, energy_file, steps_file,  pvd_file,        med_file,
+                             vtkhdf_file, frd_file,    tables_file, checkpoint_file, report_file};
   return std::ranges::find(known, name) != known.end() || is_copy_of_fields(name) ||
          ((name.starts_with(resultants_prefix) || name.starts_with(contact_prefix)) &&
           name.ends_with(".csv"));

@@ -43,6 +43,7 @@ inline constexpr Range cut_levels = from_to(0, 50);
 inline constexpr Range max_iterations = from_to(1, 1'000'000);
 inline constexpr Range residual = between(0, 1);
 inline constexpr Range every = at_least(0);
+inline constexpr Range step_number = from_to(1, 99999);
 inline constexpr Range digits = from_to(6, 17);
 inline constexpr Range check_tolerance = above(0);
 

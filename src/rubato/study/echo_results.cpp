@@ -1,10 +1,23 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/study/echo_json.hpp"
 #include "rubato/study/study.hpp"
+#include "rubato/study/table_words.hpp"
 
 #include <nlohmann/json.hpp>
 
 namespace rubato::study {
+namespace {
+
+Json echo(const PrintedTable& table) {
+  Json map{{word(table_of_words, table.of), table.on.empty() ? std::string(everywhere) : table.on},
+           {"quantities", table.quantities}};
+  put_name(map, "label", table.label);
+  map["totals"] = word(table_totals_words, table.totals);
+  map["every"] = table.every;
+  return map;
+}
+
+} // namespace
 
 Json echo(const Cut& cut, int dimension) {
   Json map{{"point", first(cut.point, dimension)}, {"normal", first(cut.normal, dimension)}};
@@ -47,6 +60,8 @@ Json echo(const FieldOutput& fields) {
     formats.push_back("med");
   if (fields.vtkhdf)
     formats.push_back("vtkhdf");
+  if (fields.frd)
+    formats.push_back("frd");
   Json map{{"formats", formats}};
   if (!fields.only.empty())
     map["only"] = fields.only;
@@ -56,6 +71,13 @@ Json echo(const FieldOutput& fields) {
   map["at"] = fields.at;
   map["every"] = fields.every;
   map["last"] = fields.last;
+  if (fields.frd || fields.frd_binary)
+    map["frd"] = word(frd_words, fields.frd_binary);
+  if (fields.frd || fields.step != 1)
+    map["step"] = fields.step;
+  if (!fields.tables.empty())
+    for (const auto& table : fields.tables)
+      map["tables"].push_back(echo(table));
   return map;
 }
 

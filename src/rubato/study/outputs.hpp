@@ -79,16 +79,41 @@ struct Probe {
   bool operator==(const Probe&) const = default;
 };
 
+/// What the lines of a table are of.
+enum class TableOf {
+  nodes,
+  cells, ///< their Gauss points, or each cell
+  faces, ///< of a group of faces, one force
+  zones  ///< points of contact
+};
+
+enum class TableTotals { none, also, only };
+
+/// A table of tables.dat, in the layout of CalculiX's .dat file.
+struct PrintedTable {
+  TableOf of = TableOf::nodes;
+  std::string on;                      ///< group, node or zone; empty: all of them
+  std::string label;                   ///< that the heading has; empty: `on`
+  std::vector<std::string> quantities; ///< by CalculiX's words: "U", "RF", "S" (table_words.hpp)
+  TableTotals totals = TableTotals::none;
+  int every = 1; ///< every n-th step, and the last one
+  bool operator==(const PrintedTable&) const = default;
+};
+
 struct FieldOutput {
   bool vtu = false;
   bool med = false;
   bool vtkhdf = false;
-  std::vector<std::string> only; ///< fields that are written instead of the usual ones; empty: these
-  std::vector<std::string> also; ///< fields that are written beside the usual ones
-  int digits = 9;                ///< that .vtu and VTKHDF files keep of numbers at nodes and in cells
-  std::vector<double> at;        ///< instants
-  int every = 0;                 ///< and every n-th step; 0: none
-  bool last = true;              ///< and the last one
+  bool frd = false;
+  bool frd_binary = false;          ///< else ASCII
+  int step = 1;                     ///< number of the step that .frd files have
+  std::vector<std::string> only;    ///< fields that are written instead of the usual ones; empty: these
+  std::vector<std::string> also;    ///< fields that are written beside the usual ones
+  int digits = 9;                   ///< that .vtu and VTKHDF files keep of numbers at nodes and in cells
+  std::vector<double> at;           ///< instants
+  int every = 0;                    ///< and every n-th step; 0: none
+  bool last = true;                 ///< and the last one
+  std::vector<PrintedTable> tables; ///< of tables.dat, at steps of their own
   bool operator==(const FieldOutput&) const = default;
 };
 

@@ -179,7 +179,7 @@ inline constexpr std::array<Word<CheckSource>, 4> check_source_words{{{"external
 inline constexpr std::array<std::string_view, 3> axis_words{"x", "y", "z"};
 
 /// Formats of stored fields.
-inline constexpr std::array<std::string_view, 3> field_formats{"vtu", "med", "vtkhdf"};
+inline constexpr std::array<std::string_view, 4> field_formats{"vtu", "med", "vtkhdf", "frd"};
 
 /// The word of a value, accepted or not.
 template <class E, std::size_t N>

@@ -97,7 +97,7 @@ const Mistake type_mistakes[] = {
      "generalized_alpha, wbz_alpha, moreau_jean, energy_momentum, static, central_difference; did you "
      "mean 'hht'?"},
     {"formats: [vtu, med]", "formats: [vtu, vtk]", "vtk",
-     "fields.formats.1: found 'vtk', expected one of vtu, med, vtkhdf; did you mean 'vtu'?"},
+     "fields.formats.1: found 'vtk', expected one of vtu, med, vtkhdf, frd; did you mean 'vtu'?"},
     {"newton: {max_iterations: 25, residual: 1e-9}", "newton: 25", "25\nprobes",
      "newton: found '25', expected a map"},
     {"[0, 1, 2]", "0", "0, values", "functions.ramp.times: found '0', expected a list"},

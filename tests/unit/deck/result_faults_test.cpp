@@ -56,6 +56,19 @@ TEST(FaultsOfChecks, OfSectionsNameTheirComponents) {
             "checks.0.probe: found the component 'm', expected x, y, z, mx, my, mz, normal or shear");
 }
 
+TEST(FaultsOfTables, SayWhatTheyList) {
+  EXPECT_EQ(fault("fields: {tables: [{quantities: [U]}]}\n"),
+            "fields.tables.0: expected one of the keys 'nodes', 'cells', 'faces' and 'zones'");
+  EXPECT_EQ(fault("fields: {tables: [{nodes: all, cells: all, quantities: [U]}]}\n"),
+            "fields.tables.0: expected one of the keys 'nodes', 'cells', 'faces' and 'zones'");
+  EXPECT_EQ(fault("fields: {tables: [{nodes: all, quantities: [S]}]}\n"),
+            "fields.tables.0.quantities: found 'S', expected for nodes some of: U, V, A, RF, NT, UR, RM");
+  EXPECT_EQ(fault("fields: {tables: [{faces: all, quantities: [SOF]}]}\n"),
+            "fields.tables.0.faces: found all faces, expected a group of faces");
+  EXPECT_EQ(fault("fields: {tables: [{nodes: all, quantities: [U], every: -1}]}\n"),
+            "fields.tables.0.every: found -1, expected >= 0");
+}
+
 TEST(FaultsOfFields, NameTheNearestField) {
   EXPECT_EQ(fault("fields: {only: [displacment]}\n"),
             "fields.only.0: no field is called 'displacment'; did you mean 'displacement'?");

@@ -56,7 +56,54 @@ TEST(StepsOfFiles, HaveTheirRequestsAsProbesAndFields) {
   EXPECT_EQ(study.probes[1].name, "ONE_U");
   EXPECT_EQ(study.probes[1].node, "ONE");
   EXPECT_TRUE(study.fields.vtu);
+  EXPECT_TRUE(study.fields.frd);
+  EXPECT_FALSE(study.fields.frd_binary);
   EXPECT_EQ(study.fields.every, 3);
+  const auto& tables = study.fields.tables;
+  ASSERT_EQ(tables.size(), 3U);
+  EXPECT_EQ(tables[0].totals, study::TableTotals::only);
+  EXPECT_EQ(tables[1].quantities, (std::vector<std::string>{"U", "V"}));
+  EXPECT_EQ(tables[2].of, study::TableOf::cells);
+  EXPECT_EQ(tables[2].label, "E");
+}
+
+TEST(StepsOfFiles, ReplaceRequestsOfTheSameKind) {
+  const auto first = std::string("*STATIC\n*NODE PRINT, NSET=ONE\n U\n*EL PRINT, ELSET=E\n S\n");
+  const auto runs =
+      parsed(with_step(first) + "*STEP\n*STATIC\n*NODE PRINT, NSET=ONE, FREQUENCY=0\n U\n*END STEP\n"
+                                "*STEP\n*STATIC\n*EL PRINT, ELSET=E, TOTALS=YES\n EVOL\n*END STEP\n")
+          .runs;
+  ASSERT_EQ(runs.size(), 3U);
+  EXPECT_EQ(runs[0].fields.tables.size(), 2U);
+  ASSERT_EQ(runs[1].fields.tables.size(), 1U); // of cells, as before
+  EXPECT_EQ(runs[1].fields.tables[0].quantities.front(), "S");
+  ASSERT_EQ(runs[2].fields.tables.size(), 1U);
+  EXPECT_EQ(runs[2].fields.tables[0].totals, study::TableTotals::also);
+  EXPECT_EQ(runs[2].fields.step, 3);
+}
+
+TEST(StepsOfFiles, StopAtTimePointsOfRequests) {
+  const auto runs = parsed("*TIME POINTS, NAME=T1, GENERATE\n 0., 1., 0.25\n" +
+                           with_step("*STATIC\n*NODE FILE, TIME POINTS=t1\n U\n") +
+                           "*TIME POINTS, NAME=T2, TIME=TOTAL TIME\n 0.5, 1.5,\n 1.75,\n"
+                           "*STEP\n*STATIC\n*NODE PRINT, NSET=ONE, TIMEPOINTS=T2\n U\n*END STEP\n")
+                        .runs;
+  EXPECT_EQ(runs[0].fields.at, (std::vector<double>{0.25, 0.5, 0.75}));
+  EXPECT_EQ(runs[0].fields.every, 0);
+  EXPECT_EQ(runs[1].fields.at, (std::vector<double>{1.25, 1.5, 1.75})); // times of the step
+  EXPECT_EQ(runs[1].time.stops, (std::vector<double>{1.25, 1.5, 1.75}));
+}
+
+TEST(StepsOfFiles, TellHistoriesFromFieldsByTheirOutput) {
+  const auto study =
+      parsed(with_step("*STATIC\n*OUTPUT, HISTORY, FREQUENCY=2\n*NODE OUTPUT, NSET=ONE\n U1, RF3\n"
+                       "*ELEMENT OUTPUT, ELSET=E\n S11, MISES\n*OUTPUT, FIELD\n*ELEMENT OUTPUT\n S, E\n"))
+          .runs.front();
+  ASSERT_EQ(study.fields.tables.size(), 2U);
+  EXPECT_EQ(study.fields.tables[0].every, 2);
+  EXPECT_EQ(study.fields.tables[0].quantities, (std::vector<std::string>{"U", "RF"}));
+  EXPECT_EQ(study.fields.also, std::vector<std::string>{"strain"});
+  EXPECT_TRUE(parsed(with_step("*STATIC\n*NODE OUTPUT\n U\n")).runs.front().fields.frd_binary);
 }
 
 TEST(StepsOfFiles, HaveFieldsAtIntervals) {
@@ -67,13 +114,14 @@ TEST(StepsOfFiles, HaveFieldsAtIntervals) {
 
 TEST(StepsOfFiles, SayWhatWasLeftOutAndWhatDiffers) {
   const auto notes =
-      parsed("*PREPRINT, ECHO=NO\n" + with_step("*STATIC\n 0.1, 1.\n*EL PRINT\n S\n*MONITOR, NODE=1\n"))
+      parsed("*PREPRINT, ECHO=NO\n" + with_step("*STATIC\n 0.1, 1.\n*EL PRINT\n S, SDV\n*MONITOR, NODE=1\n"))
           .notes;
   ASSERT_EQ(notes.size(), 2U);
   EXPECT_NE(notes[0].find("increments are 0.1 throughout"), std::string::npos) << notes[0];
-  EXPECT_EQ(notes[1],
-            "a.inp: left out, without effect on the answer: *EL PRINT (line 28), *MONITOR (line 30), "
-            "*PREPRINT (line 1)");
+  EXPECT_EQ(
+      notes[1],
+      "a.inp: left out, without effect on the answer: 'SDV' in *EL PRINT (line 29), *MONITOR (line 30), "
+      "*PREPRINT (line 1)");
 }
 
 TEST(StepsOfFiles, TakeTheirSchemeFromAlpha) {

@@ -3,6 +3,7 @@
 #include "rubato/deck/grammar/parts.hpp"
 #include "rubato/study/bounds.hpp"
 #include "rubato/study/stored_fields.hpp"
+#include "rubato/study/table_words.hpp"
 #include "rubato/study/words.hpp"
 
 namespace rubato::deck::grammar {
@@ -52,13 +53,34 @@ Forms preload() {
            {"lock", "instant from which on the shortening stays as it is [time]", number()}}));
 }
 
+Forms table() {
+  const auto quantity = word(study::all_table_words());
+  return map(
+      "a table of tables.dat, in the layout of CalculiX's .dat file",
+      {{"nodes", "a group of nodes or a node; 'all'", name()},
+       {"cells", "instead: a group of cells; 'all'", name()},
+       {"faces", "instead: a group of faces", name()},
+       {"zones", "instead: a contact zone; 'all'", name()},
+       {"quantities",
+        "what it lists; nodes: U, V, A, RF, NT, UR, RM; cells: S, E, ME, PEEQ, ENER, ELSE, ELKE, EVOL, "
+        "COORD; faces: "
+        "SOF, "
+        "SOM, SOAREA; zones: CDIS, CSTR, CNUM, CF, CFN, CFS",
+        either(quantity, list(quantity, 1)), true},
+       {"label", "name in its heading; that of the group when not given", text()},
+       {"totals", "sums of RF, ELSE, ELKE and EVOL; none when not given", word_of(study::table_totals_words)},
+       {"every", "every n-th step, and the last one; 1 when not given, 0 for none",
+        whole_number(study::bounds::every)}});
+}
+
 Forms fields() {
   const auto format = word({study::field_formats.begin(), study::field_formats.end()});
   const auto field = word(study::stored_field_names());
   return map(
       "whole fields that are stored",
       {{"formats",
-        "vtu (ParaView), med (Salome, and comparisons), vtkhdf (ParaView, one file); vtu when not given",
+        "vtu (ParaView), med (Salome, and comparisons), vtkhdf (ParaView, one file), frd "
+        "(CalculiX GraphiX, PrePoMax); vtu when not given",
         either(format, list(format))},
        {"only", "the fields that are written, instead of the usual ones", either(field, list(field, 1))},
        {"also", "fields that are written beside the usual ones", either(field, list(field))},
@@ -66,7 +88,11 @@ Forms fields() {
         whole_number(study::bounds::digits)},
        {"at", "instants, ascending [time]", list(number())},
        {"every", "and every n-th step, 0 for none", whole_number(study::bounds::every)},
-       {"last", "and the last step; true when not given", truth()}});
+       {"last", "and the last step; true when not given", truth()},
+       {"frd", "how .frd files have numbers; ascii when not given", word_of(study::frd_words)},
+       {"step", "number of the step in .frd files; 1 when not given",
+        whole_number(study::bounds::step_number)},
+       {"tables", "tables of nodes, cells, faces and contact in tables.dat", list(table())}});
 }
 
 Forms checkpoint() {

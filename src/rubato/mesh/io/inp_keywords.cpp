@@ -16,6 +16,14 @@ namespace {
 constexpr std::string_view is_linear = "materials are linear elastic";
 constexpr std::string_view no_shells = "there are no shells, membranes, beams and trusses";
 constexpr std::string_view no_heat = "heat and other fields are not computed";
+constexpr std::string_view file_takes = "FREQUENCY,NSET,TIMEPOINTS";
+constexpr std::string_view file_ignores =
+    "OUTPUT,TOTALS,ELSET,GLOBAL,POSITION,DIRECTIONS,OUTPUTALL,LASTITERATIONS,CONTACTELEMENTS,"
+    "OUTPUT3D,OUTPUT2D,SECTIONFORCES,FREQUENCYF";
+constexpr std::string_view output_takes = "FREQUENCY,NSET,ELSET,VARIABLE,TIMEPOINTS";
+constexpr std::string_view output_ignores =
+    "OUTPUT,TOTALS,GLOBAL,POSITION,DIRECTIONS,OUTPUTALL,LASTITERATIONS,CONTACTELEMENTS,OUTPUT3D,"
+    "OUTPUT2D,SECTIONFORCES,FREQUENCYF,EXTERIOR,MASTER,SLAVE,SURFACE,CPSET,GENERALCONTACT,REBAR,TRACERSET";
 constexpr std::string_view no_flow = "fluids are not computed";
 constexpr std::string_view no_script = "its work is done with a deck (rubato deck)";
 constexpr std::string_view no_user = "there are no user subroutines";
@@ -103,30 +111,28 @@ constexpr Keyword keyword_rows[] = {
     Keyword{"FREQUENCY", Use::study, "EIGENSOLVER,SOLVER", "NORMALIZATION,STORAGE,GLOBAL", "rubato modes"},
     Keyword{"STATIC", Use::study, "DIRECT", "SOLVER", "time: static"},
     // ---- results
-    Keyword{"EL FILE", Use::study, "FREQUENCY",
-            "TIMEPOINTS,OUTPUT,TOTALS,NSET,ELSET,POSITION,DIRECTIONS,OUTPUTALL,LASTITERATIONS,"
-            "CONTACTELEMENTS,OUTPUT3D,"
-            "OUTPUT2D,SECTIONFORCES",
-            "fields"},
-    Keyword{"NODE FILE", Use::study, "FREQUENCY",
-            "TIMEPOINTS,OUTPUT,TOTALS,NSET,ELSET,GLOBAL,OUTPUTALL,LASTITERATIONS,CONTACTELEMENTS,OUTPUT3D,"
-            "OUTPUT2D",
-            "fields"},
-    Keyword{"NODE OUTPUT", Use::study, "NSET", "VARIABLE,EXTERIOR,ELSET", "probes"},
-    Keyword{"NODE PRINT", Use::study, "NSET,TOTALS",
-            "FREQUENCY,SUMMARY,GLOBAL,TIMEPOINTS,FREQUENCYF,EXTERIOR", "probes"},
-    Keyword{"OUTPUT", Use::study, "FIELD,HISTORY,FREQUENCY,TIMEINTERVAL,NUMBERINTERVAL",
+    Keyword{"CONTACT FILE", Use::study, file_takes, file_ignores, "fields"},
+    Keyword{"CONTACT OUTPUT", Use::study, output_takes, output_ignores, "fields, fields: tables"},
+    Keyword{"CONTACT PRINT", Use::study, "SLAVE,MASTER,FREQUENCY,TIMEPOINTS",
+            "TOTALS,NSET,SUMMARY,FREQUENCYF", "fields: tables"},
+    Keyword{"EL FILE", Use::study, file_takes, file_ignores, "fields"},
+    Keyword{"EL PRINT", Use::study, "ELSET,TOTALS,FREQUENCY,GLOBAL,TIMEPOINTS",
+            "POSITION,SUMMARY,FREQUENCYF,REBAR,MODE,LASTMODE", "fields: tables"},
+    Keyword{"ELEMENT OUTPUT", Use::study, output_takes, output_ignores, "fields, fields: tables"},
+    Keyword{"NODE FILE", Use::study, file_takes, file_ignores, "fields"},
+    Keyword{"NODE OUTPUT", Use::study, output_takes, output_ignores, "fields, probes, fields: tables"},
+    Keyword{"NODE PRINT", Use::study, "NSET,TOTALS,FREQUENCY,GLOBAL,TIMEPOINTS",
+            "SUMMARY,FREQUENCYF,EXTERIOR,MODE,LASTMODE", "probes, fields: tables"},
+    Keyword{"OUTPUT", Use::study, "FIELD,HISTORY,FREQUENCY,TIMEINTERVAL,NUMBERINTERVAL,TIMEPOINTS",
             "VARIABLE,TIMEMARKS,OP,NAME,SENSOR", "fields"},
+    Keyword{"SECTION PRINT", Use::study, "SURFACE,NAME,FREQUENCY,TIMEPOINTS", "FREQUENCYF,AXES,UPDATE",
+            "fields: tables"},
+    Keyword{"TIME POINTS", Use::study, "NAME,TIME,GENERATE", "", "fields: at"},
     // ---- harmless
     Keyword{"CONDUCTIVITY", Use::harmless},
     Keyword{"CONTACT CONTROLS", Use::harmless},
-    Keyword{"CONTACT FILE", Use::harmless},
-    Keyword{"CONTACT OUTPUT", Use::harmless},
-    Keyword{"CONTACT PRINT", Use::harmless},
     Keyword{"CONTROLS", Use::harmless},
     Keyword{"DIAGNOSTICS", Use::harmless},
-    Keyword{"ELEMENT OUTPUT", Use::harmless},
-    Keyword{"EL PRINT", Use::harmless},
     Keyword{"ENERGY FILE", Use::harmless},
     Keyword{"ENERGY OUTPUT", Use::harmless},
     Keyword{"ENERGY PRINT", Use::harmless},
@@ -144,11 +150,9 @@ constexpr Keyword keyword_rows[] = {
     Keyword{"RESTART", Use::harmless},
     Keyword{"SECTION CONTROLS", Use::harmless},
     Keyword{"SECTION FILE", Use::harmless},
-    Keyword{"SECTION PRINT", Use::harmless},
     Keyword{"SOLVER CONTROLS", Use::harmless},
     Keyword{"SPECIFIC HEAT", Use::harmless},
     Keyword{"SURFACE OUTPUT", Use::harmless},
-    Keyword{"TIME POINTS", Use::harmless},
     Keyword{"USER OUTPUT VARIABLES", Use::harmless},
     // ---- not available
     Keyword{"ACOUSTIC MEDIUM", Use::unavailable, "", "", no_flow},

@@ -2,8 +2,10 @@
 // Probes, fields, checkpoints and checks: what is kept of a run, and what must come out.
 #include "rubato/study/rules/rules.hpp"
 #include "rubato/study/stored_fields.hpp"
+#include "rubato/study/table_words.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -285,6 +287,29 @@ void check_chosen_fields(Rules& rules, const std::vector<std::string>& fields, c
                    fmt::format("found {}, but the study has no contact", shown(fields[i])));
 }
 
+void check_table(Rules& rules, const PrintedTable& table, const std::string& path) {
+  const auto known = table_words(table.of);
+  if (table.quantities.empty())
+    rules.broken({path + ".quantities"}, "found no quantities, expected at least one");
+  for (const auto& quantity : table.quantities)
+    if (std::ranges::find(known, quantity) == known.end())
+      rules.broken({path + ".quantities"},
+                   fmt::format("found {}, expected for {} some of: {}", shown(quantity),
+                               word_of(table_of_words, table.of), fmt::join(known, ", ")));
+  const bool has_energy = std::ranges::any_of(
+      table.quantities, [](const auto& quantity) { return quantity == "ENER" || quantity == "ELSE"; });
+  if (has_energy && !stores_half_of_products(rules.study))
+    rules.broken({path + ".quantities", "materials"},
+                 "found ENER or ELSE, which tables have of elastic materials with small strains alone");
+  if (table.of == TableOf::faces && table.on.empty())
+    rules.broken({path + ".faces"}, "found all faces, expected a group of faces");
+  if (table.of == TableOf::zones && !table.on.empty())
+    check_zone(rules, table.on, path + ".zones");
+  if (table.of == TableOf::zones && rules.study.contact.empty())
+    rules.broken({path + ".zones"}, "found a table of contact, but the study has no contact");
+  rules.whole_number(path + ".every", table.every, bounds::every);
+}
+
 } // namespace
 
 void check_cut(Rules& rules, const Cut& cut, const std::string& path) {
@@ -316,6 +341,9 @@ void check_output(Rules& rules) {
   rules.whole_number("fields.every", fields.every, bounds::every);
   check_instants(rules, "checkpoint.at", checkpoint.at);
   rules.whole_number("checkpoint.every", checkpoint.every, bounds::every);
+  rules.whole_number("fields.step", fields.step, bounds::step_number);
+  for (std::size_t i = 0; i < fields.tables.size(); ++i)
+    check_table(rules, fields.tables[i], fmt::format("fields.tables.{}", i));
 }
 
 void check_checks(Rules& rules) {
