@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/deck/read.hpp"
+#include "rubato/model/build_model.hpp"
+#include "rubato/modes/modal_study.hpp"
 #include "rubato/results/checks.hpp"
 #include "rubato/results/run_folder.hpp"
 #include "rubato/results/stored_run.hpp"
@@ -46,9 +48,21 @@ int check_run(const std::filesystem::path& folder, bool markdown) {
   return exit_code_of(run, std::ranges::all_of(checks, &results::CheckResult::holds));
 }
 
-/// The deck alone, without its mesh.
+/// Throws InputError with the faults that a run of an .inp file has when its models are built.
+void check_models(const StepsDeck& steps) {
+  auto studies = steps.deck.runs;
+  for (auto& study : studies)
+    if (steps.modes.contains(study.name))
+      study = rubato::modes::modal_study(study);
+  deck::throw_if_any(model::faults_of(studies), steps.deck.places);
+}
+
+/// The deck alone, without its mesh; an .inp file with it.
 int check_deck(const std::filesystem::path& file) {
-  const auto deck = read_deck(file);
+  const auto steps = read_steps_deck(file);
+  const auto& deck = steps.deck;
+  if (is_inp(file))
+    check_models(steps);
   for (const auto& note : deck.notes)
     fmt::print(stderr, "{}\n", note);
   std::vector<std::string> names;

@@ -31,7 +31,7 @@ int report(const ReportArguments&) {
   refuse("rubato report");
 }
 
-ModesDeck read_inp(const std::filesystem::path& file, inp::Purpose, std::span<const deck::Setting>,
+StepsDeck read_inp(const std::filesystem::path& file, inp::Purpose, std::span<const deck::Setting>,
                    std::span<const std::string>) {
   refuse(file.string());
 }

@@ -13,7 +13,10 @@
 
 #include "commands.hpp"
 #include "read_deck.hpp"
+#include "show_modes.hpp"
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -73,11 +76,51 @@ void print_table(const Modes& modes) {
   }
 }
 
-int show_modes(const study::Study& study, const rubato::modes::ModeRequest& request,
+/// `count` modes from `first` on.
+Modes part_of(const Modes& modes, Index first, Index count) {
+  auto part = modes;
+  part.frequencies = modes.frequencies.segment(first, count);
+  part.shapes = modes.shapes.middleCols(first, count);
+  part.generalised_masses = modes.generalised_masses.segment(first, count);
+  part.effective_masses = modes.effective_masses.middleRows(first, count);
+  part.residuals = modes.residuals.segment(first, count);
+  return part;
+}
+
+Index count_below(const Modes& modes, double frequency) {
+  return std::lower_bound(modes.frequencies.begin(), modes.frequencies.end(), frequency) -
+         modes.frequencies.begin();
+}
+
+/// The lowest modes of the range: more and more are computed until the range ends or has as many as asked
+/// for.
+Modes modes_in(const model::Model& model, const inp::ModesAsked& asked, Contact contact) {
+  constexpr int usual_number = 10;
+  const int wanted = asked.number.value_or(usual_number);
+  const bool all = !asked.number && asked.highest;
+  const double highest = asked.highest.value_or(std::numeric_limits<double>::infinity());
+  for (int number = wanted;; number *= 2) {
+    const auto modes = rubato::modes::modes_of(model, {number, contact});
+    const Index count = modes.frequencies.size(), first = count_below(modes, asked.lowest);
+    const Index end = count_below(modes, std::nextafter(highest, std::numeric_limits<double>::infinity()));
+    if (count == number && end == count && (all || count - first < wanted))
+      continue;
+    const Index found = all ? end - first : std::min<Index>(end - first, wanted);
+    if (found <= 0)
+      throw InputError(
+          fmt::format("found no natural frequency from {} to {}, expected one; the lowest one is {}",
+                      asked.lowest, highest, modes.frequencies[0]));
+    return part_of(modes, first, found);
+  }
+}
+
+} // namespace
+
+int show_modes(const study::Study& study, const inp::ModesAsked& asked, Contact contact,
                const std::filesystem::path& folder) {
   const auto model = model::build_model(rubato::modes::modal_study(study));
   results::FolderClaim claim(folder);
-  const auto modes = rubato::modes::modes_of(model, request);
+  const auto modes = modes_in(model, asked, contact);
   claim.make();
   results::write_modes(folder, model, modes);
   fmt::print("{}: {} modes of {} unknowns; {} and {} in {}\n", study.name, modes.frequencies.size(),
@@ -98,15 +141,11 @@ int show_modes(const study::Study& study, const rubato::modes::ModeRequest& requ
   return no_convergence;
 }
 
-} // namespace
-
 int modes(const ModesArguments& arguments) {
   if (arguments.number && *arguments.number < 1)
     throw InputError(fmt::format("--number: found {}, expected 1 or more", *arguments.number));
   const auto contact = contact_named(arguments.contact);
-  const auto [deck, asked] = read_modes_deck(arguments.deck, arguments.settings, arguments.only);
-  constexpr int usual_number = 10;
-  const rubato::modes::ModeRequest request{arguments.number.value_or(asked.value_or(usual_number)), contact};
+  const auto [deck, steps] = read_modes_deck(arguments.deck, arguments.settings, arguments.only);
   if (is_inp(arguments.deck))
     for (const auto& note : deck.notes)
       fmt::print(stderr, "{}\n", note);
@@ -116,7 +155,10 @@ int modes(const ModesArguments& arguments) {
     if (!is_asked(arguments, deck, study))
       continue;
     try {
-      worst = std::max(worst, show_modes(study, request, modes_output_of(arguments) / study.name));
+      auto asked = steps.contains(study.name) ? steps.at(study.name) : inp::ModesAsked{};
+      if (arguments.number)
+        asked.number = arguments.number;
+      worst = std::max(worst, show_modes(study, asked, contact, modes_output_of(arguments) / study.name));
     } catch (const InputError& error) {
       throw deck.places[i].located(error);
     }

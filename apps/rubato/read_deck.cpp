@@ -44,19 +44,38 @@ bool is_inp(const std::filesystem::path& argument) {
 deck::Deck read_deck(const std::filesystem::path& argument, std::span<const std::string> settings,
                      std::span<const std::string> only) {
   const auto changes = changes_of(settings);
-  if (is_inp(argument))
-    return read_inp(argument, inp::Purpose::run, changes, only).deck;
+  if (is_inp(argument)) {
+    const auto steps = read_inp(argument, inp::Purpose::run, changes, only);
+    return steps.modes.size() < steps.deck.runs.size() ? without_modes(steps) : steps.deck;
+  }
   if (!is_standard_input(argument))
     return deck::read_deck(argument, changes, only);
   const std::string text(std::istreambuf_iterator<char>(std::cin), {});
   return deck::parse_deck(text, "<stdin>", changes, only);
 }
 
-ModesDeck read_modes_deck(const std::filesystem::path& argument, std::span<const std::string> settings,
+StepsDeck read_steps_deck(const std::filesystem::path& argument, std::span<const std::string> settings,
                           std::span<const std::string> only) {
   if (!is_inp(argument))
-    return {read_deck(argument, settings, only), std::nullopt};
+    return {read_deck(argument, settings, only), {}};
+  return read_inp(argument, inp::Purpose::run, changes_of(settings), only);
+}
+
+StepsDeck read_modes_deck(const std::filesystem::path& argument, std::span<const std::string> settings,
+                          std::span<const std::string> only) {
+  if (!is_inp(argument))
+    return {read_deck(argument, settings, only), {}};
   return read_inp(argument, inp::Purpose::modes, changes_of(settings), only);
+}
+
+deck::Deck without_modes(const StepsDeck& steps) {
+  deck::Deck deck{steps.deck.title, {}, {}, steps.deck.notes};
+  for (std::size_t i = 0; i < steps.deck.runs.size(); ++i)
+    if (!steps.modes.contains(steps.deck.runs[i].name)) {
+      deck.runs.push_back(steps.deck.runs[i]);
+      deck.places.push_back(steps.deck.places[i]);
+    }
+  return deck;
 }
 
 std::string deck_text(std::span<const study::Study> runs) {

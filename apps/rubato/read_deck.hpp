@@ -3,9 +3,10 @@
 #pragma once
 
 #include "rubato/deck/read.hpp"
+#include "rubato/inp/read.hpp"
 
 #include <filesystem>
-#include <optional>
+#include <map>
 #include <span>
 #include <string>
 
@@ -23,13 +24,19 @@ bool is_inp(const std::filesystem::path& argument);
 deck::Deck read_deck(const std::filesystem::path& argument, std::span<const std::string> settings = {},
                      std::span<const std::string> only = {});
 
-/// What modes are computed of.
-struct ModesDeck {
+/// Runs of a deck, or steps of an .inp file, some of which may be natural modes.
+struct StepsDeck {
   deck::Deck deck;
-  std::optional<int> number; ///< of modes, that an .inp file asks for
+  std::map<std::string, inp::ModesAsked> modes; ///< runs of an .inp file that are natural modes, by name
 };
-ModesDeck read_modes_deck(const std::filesystem::path& argument, std::span<const std::string> settings,
+/// Every step of an .inp file; read_deck leaves natural modes out where there are other steps.
+StepsDeck read_steps_deck(const std::filesystem::path& argument, std::span<const std::string> settings = {},
+                          std::span<const std::string> only = {});
+/// Returns only the natural modes of an .inp file.
+StepsDeck read_modes_deck(const std::filesystem::path& argument, std::span<const std::string> settings,
                           std::span<const std::string> only);
+/// The deck without runs that are natural modes.
+deck::Deck without_modes(const StepsDeck& steps);
 
 /// The runs as the text of one deck, whose mesh files are those named in the studies.
 std::string deck_text(std::span<const study::Study> runs);

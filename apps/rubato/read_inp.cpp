@@ -62,11 +62,15 @@ deck::Deck deck_of(inp::Input input, const std::filesystem::path& file,
 
 } // namespace
 
-ModesDeck read_inp(const std::filesystem::path& file, inp::Purpose purpose,
+StepsDeck read_inp(const std::filesystem::path& file, inp::Purpose purpose,
                    std::span<const deck::Setting> changes, std::span<const std::string> only) {
   auto input = inp::read_input(file, purpose);
-  const auto number = input.mode_count;
-  return {deck_of(std::move(input), file, changes, only), number};
+  auto modes = input.modes;
+  auto deck = deck_of(std::move(input), file, changes, only);
+  std::erase_if(modes, [&](const auto& entry) {
+    return std::ranges::find(deck.runs, entry.first, &study::Study::name) == deck.runs.end();
+  });
+  return {std::move(deck), std::move(modes)};
 }
 
 } // namespace rubato::app

@@ -9,7 +9,7 @@
 namespace rubato::app {
 
 /// The steps of the file as runs of a deck, with changes. Throws as inp::read_input does.
-ModesDeck read_inp(const std::filesystem::path& file, inp::Purpose purpose,
+StepsDeck read_inp(const std::filesystem::path& file, inp::Purpose purpose,
                    std::span<const deck::Setting> changes, std::span<const std::string> only);
 
 } // namespace rubato::app

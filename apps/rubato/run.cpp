@@ -17,6 +17,7 @@
 #include "ranks.hpp"
 #include "read_deck.hpp"
 #include "run_one.hpp"
+#include "show_modes.hpp"
 #include "side_by_side.hpp"
 #include <algorithm>
 #include <map>
@@ -55,8 +56,9 @@ void require_compared_runs(const deck::Deck& deck, const std::filesystem::path& 
 /// The runs of a deck one after another.
 class Series {
 public:
-  Series(const deck::Deck& deck, const RunSettings& settings, const std::stop_token& stop)
-      : deck_(deck), settings_(settings), line_(settings.quiet), watch_(watch_of(line_)) {
+  Series(const StepsDeck& steps, const RunSettings& settings, const std::stop_token& stop)
+      : deck_(steps.deck), modes_(steps.modes), settings_(settings), line_(settings.quiet),
+        watch_(watch_of(line_)) {
     watch_.stop = [stop] { return stop.stop_requested(); };
   }
 
@@ -70,7 +72,12 @@ public:
         continue;
       }
       try {
-        worst = std::max(worst, run(study, source.empty() ? nullptr : &ends_.at(source)));
+        const auto modes = modes_.find(study.name);
+        if (modes == modes_.end())
+          worst = std::max(worst, run(study, source.empty() ? nullptr : &ends_.at(source)));
+        else if (settings_.ranks.is_first())
+          worst = std::max(worst, show_modes(study, modes->second, rubato::modes::Contact::open,
+                                             settings_.output / study.name));
       } catch (const InputError& error) {
         throw deck_.places[i].located(error);
       }
@@ -89,6 +96,7 @@ private:
   }
 
   const deck::Deck& deck_;
+  const std::map<std::string, inp::ModesAsked>& modes_;
   const RunSettings& settings_;
   ProgressLine line_;
   run::Watch watch_;
@@ -136,8 +144,8 @@ void require_what_ranks_can(const RunArguments& arguments) {
                                  ranks));
 }
 
-deck::Deck deck_of(const RunArguments& arguments) {
-  return read_deck(arguments.deck, arguments.settings, arguments.only);
+StepsDeck steps_of(const RunArguments& arguments) {
+  return read_steps_deck(arguments.deck, arguments.settings, arguments.only);
 }
 
 /// Refuses checks against runs that are not there, and tells what there is to note.
@@ -171,28 +179,36 @@ void join_steps(const deck::Deck& deck, const RunArguments& arguments) {
 int run_as_rank(const RunArguments& arguments, const std::stop_token& stop) {
   const auto ranks = linalg::join_ranks();
   return together(ranks, [&] {
-    const auto deck = deck_of(arguments);
+    const auto steps = steps_of(arguments);
+    const auto& deck = steps.deck;
     check_models(deck);
     prepare(deck, arguments);
     if (arguments.dry)
-      return ranks.is_first() ? show_plans(deck, output_of(arguments), arguments.resume) : done;
+      return ranks.is_first() ? show_plans(without_modes(steps), output_of(arguments), arguments.resume)
+                              : done;
     auto settings = settings_of(arguments, ranks.count_here());
     settings.ranks = ranks;
-    const int code = Series(deck, settings, stop).run();
+    const int code = Series(steps, settings, stop).run();
     if (ranks.is_first())
-      join_steps(deck, arguments);
+      join_steps(steps.deck, arguments);
     return code;
   });
 }
 
-int run_several_at_once(const deck::Deck& deck, const RunArguments& arguments) {
+/// Natural modes come after the other runs.
+int run_several_at_once(const StepsDeck& steps, const RunArguments& arguments) {
+  const auto deck = without_modes(steps);
   if (const int code = check_models_apart(deck); code != done)
     return code;
   prepare(deck, arguments);
   const auto at_once = std::min(arguments.jobs, static_cast<int>(deck.runs.size()));
-  const int code = run_side_by_side(deck, settings_of(arguments, at_once), arguments.jobs);
-  join_steps(deck, arguments);
-  return code;
+  int worst = run_side_by_side(deck, settings_of(arguments, at_once), arguments.jobs);
+  for (const auto& study : steps.deck.runs)
+    if (const auto modes = steps.modes.find(study.name); modes != steps.modes.end())
+      worst = std::max(worst, show_modes(study, modes->second, rubato::modes::Contact::open,
+                                         output_of(arguments) / study.name));
+  join_steps(steps.deck, arguments);
+  return worst;
 }
 
 } // namespace
@@ -201,17 +217,18 @@ int run(const RunArguments& arguments) {
   require_what_ranks_can(arguments);
   if (linalg::started_ranks() > 1)
     return run_interruptibly([&](const std::stop_token& stop) { return run_as_rank(arguments, stop); });
-  const auto deck = deck_of(arguments);
+  const auto steps = steps_of(arguments);
+  const auto& deck = steps.deck;
   if (several_at_once(deck, arguments))
-    return run_several_at_once(deck, arguments);
+    return run_several_at_once(steps, arguments);
   check_models(deck);
   prepare(deck, arguments);
   if (arguments.dry)
-    return show_plans(deck, output_of(arguments), arguments.resume);
+    return show_plans(without_modes(steps), output_of(arguments), arguments.resume);
   const auto settings = settings_of(arguments, 1);
   const int code =
-      run_interruptibly([&](const std::stop_token& stop) { return Series(deck, settings, stop).run(); });
-  join_steps(deck, arguments);
+      run_interruptibly([&](const std::stop_token& stop) { return Series(steps, settings, stop).run(); });
+  join_steps(steps.deck, arguments);
   return code;
 }
 

@@ -5,6 +5,7 @@
 
 #include "program.hpp"
 #include <sstream>
+#include <vector>
 
 namespace rubato::inp_test {
 namespace {
@@ -46,6 +47,8 @@ TEST(InpFiles, AreDecksWithTheSameAnswer) {
     ASSERT_EQ(again.exit_code, 0) << again.err;
     int runs = 0;
     for (const auto& entry : std::filesystem::directory_iterator(folder / "a")) {
+      if (!entry.is_directory())
+        continue; // results of all steps
       const auto run = entry.path().filename().string();
       for (const auto* table : {"probes.csv", "energy.csv"})
         EXPECT_EQ(test::text_of(folder / "a" / run / table), test::text_of(folder / "b" / run / table))
@@ -88,11 +91,48 @@ TEST(InpFiles, HaveModesAsManyAsTheyAskFor) {
   const auto modes = run_program({"modes", inp("modes"), "-o", "out"}, folder.path());
   EXPECT_EQ(modes.exit_code, 0) << modes.err;
   EXPECT_NE(modes.out.find("run: 3 modes"), std::string::npos) << modes.out;
-  const auto run = run_program({"run", inp("modes")}, folder.path());
-  EXPECT_EQ(run.exit_code, 2);
-  EXPECT_NE(run.err.find("modes.inp:45:1: found *FREQUENCY, which 'rubato modes' computes"),
-            std::string::npos)
-      << run.err;
+  // A run computes them among the other steps.
+  auto text = test::text_of(inp("modes"));
+  test::write_text(folder / "both.inp", text + "*STEP\n*STATIC\n*CLOAD\n END, 1, 1.\n*END STEP\n");
+  const auto run = run_program({"run", "both.inp", "-o", "both"}, folder.path());
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("step1: 3 modes"), std::string::npos) << run.out;
+  EXPECT_TRUE(std::filesystem::exists(folder / "both/step1/modes.csv"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "both/step2/run.json"));
+  const auto deck = run_program({"deck", "both.inp"}, folder.path());
+  EXPECT_EQ(deck.out.find("step1"), std::string::npos) << deck.out;
+  EXPECT_EQ(run_program({"check", "both.inp"}, folder.path()).exit_code, 0);
+  EXPECT_EQ(run_program({"check", inp("modes")}, folder.path()).exit_code, 0);
+}
+
+/// The first frequencies of a table of modes.
+std::vector<double> frequencies(const std::filesystem::path& table) {
+  std::istringstream lines(test::text_of(table));
+  std::string line;
+  std::getline(lines, line);
+  std::vector<double> found;
+  while (std::getline(lines, line))
+    found.push_back(std::stod(line.substr(line.find(',') + 1)));
+  return found;
+}
+
+TEST(InpFiles, HaveModesInARange) {
+  const ScratchFolder folder;
+  const auto of = [&](const std::string& numbers) {
+    auto text = test::text_of(inp("modes"));
+    const auto at = text.find('\n', text.find("*FREQUENCY")) + 1;
+    text.replace(at, text.find('\n', at) - at, numbers);
+    test::write_text(folder / "range.inp", text);
+    const auto run = run_program({"modes", "range.inp", "-o", "out"}, folder.path());
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return frequencies(folder / "out/run/modes.csv");
+  };
+  const auto all = of("4");
+  ASSERT_EQ(all.size(), 4U);
+  const auto between = [](double a, double b) { return std::to_string(0.5 * (a + b)); };
+  EXPECT_EQ(of("2, " + between(all[0], all[1])), (std::vector{all[1], all[2]}));
+  EXPECT_EQ(of(", , " + between(all[2], all[3])), (std::vector{all[0], all[1], all[2]}));
+  EXPECT_EQ(of("4, , " + between(all[0], all[1])), (std::vector{all[0]}));
 }
 
 TEST(InpFiles, AreRefusedWithEveryFaultBeforeAnythingIsWritten) {
@@ -118,6 +158,9 @@ TEST(InpFiles, TellFaultsThatOnlyTheMeshShowsAtTheirLines) {
   const auto run = run_program({"run", "loose.inp", "-q"}, folder.path());
   EXPECT_EQ(run.exit_code, 2) << run.err;
   EXPECT_TRUE(run.err.find("error: loose.inp:") == 0) << run.err;
+  const auto check = run_program({"check", "loose.inp"}, folder.path());
+  EXPECT_EQ(check.exit_code, 2) << check.out;
+  EXPECT_NE(check.err.find(run.err), std::string::npos) << check.err;
 }
 
 } // namespace

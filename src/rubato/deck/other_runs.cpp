@@ -95,7 +95,8 @@ bool check_start(const study::Study& study, std::span<const study::Study> earlie
   const auto* source = mention.earlier_run(study, earlier, all, "start from");
   if (source == nullptr)
     return false;
-  const bool fits = same_mesh(*source, study) && same_contact(*source, study);
+  const bool fits =
+      same_mesh(*source, study) && (study::is_explicit(study.time.scheme) || same_contact(*source, study));
   if (fits && remembering(*source) == remembering(study))
     return true;
   if (!same_mesh(*source, study))

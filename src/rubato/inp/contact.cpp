@@ -16,7 +16,28 @@ using mesh::inp::compact;
 using mesh::inp::field;
 using study::ContactMethod;
 
+/// *CHANGE FRICTION or *CHANGE SURFACE BEHAVIOR right above.
+const Block* change_above(const Reading& reading, std::size_t index) {
+  const auto* const block = index == 0 ? nullptr : reading.content.layout.blocks[index - 1].block;
+  const bool changes =
+      block != nullptr && (block->is("CHANGE FRICTION") || block->is("CHANGE SURFACE BEHAVIOR"));
+  return changes ? block : nullptr;
+}
+
+/// The interaction that it names; nullptr where there is none, which is a fault of its own.
+Interaction* changed_by(Reading& reading, const Block* block) {
+  const auto* const name = block->find("INTERACTION");
+  const auto found = name == nullptr ? reading.interactions.end()
+                                     : reading.interactions.find(mesh::inp::folded(name->value.text));
+  if (found == reading.interactions.end())
+    return nullptr;
+  found->second.changed = true;
+  return &found->second;
+}
+
 Interaction* interaction_above(Reading& reading, std::size_t index) {
+  if (const auto* const change = change_above(reading, index); change != nullptr)
+    return changed_by(reading, change);
   const auto* const parent =
       parent_of(reading, index, "SURFACE INTERACTION", {"SURFACE BEHAVIOR", "FRICTION"});
   const auto* const name = parent == nullptr ? nullptr : parent->block->find("NAME");
@@ -133,7 +154,7 @@ void read_surface_behavior(Reading& reading, std::size_t index) {
         given->value, fmt::format("found PRESSURE-OVERCLOSURE={}, expected HARD, LINEAR, EXPONENTIAL or TIED",
                                   given->value.text));
   }
-  zone.friction_method = study::usual_friction_method(zone.method);
+  zone.friction_method = study::FrictionMethod::augmented_lagrangian;
 }
 
 void read_friction(Reading& reading, std::size_t index) {
@@ -152,10 +173,10 @@ void read_friction(Reading& reading, std::size_t index) {
                                           "depends on nothing",
                                           numbers.size()));
   interaction->numbers.friction = *numbers[0];
-  if (numbers.size() == most)
-    note(reading, block.at, "friction sticks exactly in rubato; the slope of sticking is not used");
-  else if (block.find("SLIPTOLERANCE") != nullptr || block.find("ELASTICSLIP") != nullptr)
-    note(reading, block.at, "friction sticks exactly in rubato; the elastic slip is not used");
+  if (numbers.size() == most || block.find("SLIPTOLERANCE") != nullptr ||
+      block.find("ELASTICSLIP") != nullptr)
+    note(reading, block.at,
+         "friction sticks exactly in rubato; the slope of sticking or the elastic slip is not used");
 }
 
 void read_contact_pair(Reading& reading, std::size_t index) {

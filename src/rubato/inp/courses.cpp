@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace rubato::inp {
@@ -51,7 +52,9 @@ std::pair<double, std::string> value_in(study::Study& study, const Course& cours
             function_name(study, course.curve->name, function_of(*course.curve, origin_of(course)))};
   if (course.from == course.to)
     return {course.to, {}};
-  const auto wanted = fmt::format("step{}_ramp", step);
+  const auto wanted = fmt::format("step{}_{}", step, course.rise > 0 ? "rise" : "ramp");
+  if (course.rise > 0)
+    end = std::min(end, begin + course.rise);
   if (course.to == 0)
     return {course.from, function_name(study, fmt::format("step{}_fall", step), {Ramp{begin, end, 1, 0}})};
   return {course.to, function_name(study, wanted,

@@ -4,6 +4,7 @@
 #include "rubato/inp/steps.hpp"
 #include "rubato/study/formulation.hpp"
 #include "rubato/study/schemes.hpp"
+#include "rubato/study/words.hpp"
 
 #include <fmt/format.h>
 
@@ -49,6 +50,14 @@ std::string obstacle_to(Formulation formulation, CellType type, const study::Mat
   return is_explicit && !simple ? "explicit steps of such a material" : "";
 }
 
+/// Bodies that flow or hardly change their volume have other cells than the file in a study without a word.
+/// C3D10M and C3D10T are no fully integrated cells.
+bool needs_full(const study::Material& material, const mesh::inp::ElementType& type) {
+  constexpr std::string_view modified = "MT";
+  return modified.find(type.name.back()) == std::string_view::npos &&
+         study::wanted_formulation(material) != Formulation::full;
+}
+
 /// The elements of a group of the mesh.
 std::vector<std::int32_t> items_of(const Content& content, const std::string& group) {
   for (const auto& [key, set] : content.element_sets)
@@ -80,8 +89,8 @@ private:
       part.cells = std::move(groups);
       part.formulation = formulation;
       if (formulation && parts.size() > 1)
-        part.name = free_name(fmt::format("{}_{}", material.name,
-                                          *formulation == Formulation::reduced ? "reduced" : "enhanced"));
+        part.name = free_name(
+            fmt::format("{}_{}", material.name, study::word_of(study::formulation_words, *formulation)));
       if (at != places_.end())
         places_["materials." + part.name] = at->second;
       study_.materials.push_back(std::move(part));
@@ -116,7 +125,7 @@ private:
     const auto& type = *element.type;
     const auto wanted = formulation_for(type.how);
     if (!wanted)
-      return std::nullopt;
+      return needs_full(material, type) ? std::optional(Formulation::full) : std::nullopt;
     auto with = material;
     with.formulation = wanted;
     const bool has = study::formulation_of(with, study_.physics, *type.cell) == *wanted;

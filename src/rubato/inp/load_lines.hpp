@@ -26,6 +26,10 @@ void begin_block(const Block& block, const Options& options, const Step& step, s
 /// The value that what has this key had at the end of the step before.
 std::optional<double> value_before(const History& history, const std::string& key);
 
+/// Keeps a support or a force of an earlier step at the nodes that `taken` does not have: at a group made of
+/// both, or at single nodes.
+void keep_rest(Reading& reading, const Active& other, const Active& taken, std::vector<Active>& actives);
+
 /// Puts a line in: it replaces those of former steps with its key and adds to those of the step.
 void put(Reading& reading, Active active, const Options& options, const Step& step, double magnitude,
          std::vector<Active>& actives, const History& history);

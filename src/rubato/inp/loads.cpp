@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 namespace rubato::inp {
@@ -303,10 +304,33 @@ void read_dsload(Reading& reading, const Placed& placed, const Step& step, Histo
     if (!direction)
       continue;
     active.direction = *direction;
+    const auto* const follower = placed.block->find("FOLLOWER");
+    active.follows = word == "TRVEC" && (follower == nullptr || compact(follower->value.text) != "NO");
     active.key = fmt::format("DSLOAD {} {} {}", folded(active.on), word, shown_direction(*direction));
     put(reading, std::move(active), options, step, *magnitude, history.loads, history);
   }
 }
+
+namespace {
+
+/// The temperature of the nodes at the end of the step before; nothing where they had several. Of entries
+/// that share nodes the last one counts.
+std::optional<double> temperature_before(const Reading& reading, const History& history,
+                                         const std::vector<std::int32_t>& nodes) {
+  std::map<std::int32_t, double> values;
+  for (const auto node : nodes)
+    values[node] = reading.initial_temperature.value_or(0);
+  for (const auto& active : history.before)
+    if (active.kind == "TEMPERATURE")
+      for (const auto node : active.items)
+        if (const auto found = values.find(node); found != values.end())
+          found->second = active.course.to;
+  const double first = values.begin()->second;
+  const bool same = std::ranges::all_of(values, [&](const auto& entry) { return entry.second == first; });
+  return same ? std::optional(first) : std::nullopt;
+}
+
+} // namespace
 
 void read_temperature(Reading& reading, const Placed& placed, const Step& step, History& history) {
   const auto options = options_of(reading, *placed.block);
@@ -331,19 +355,16 @@ void read_temperature(Reading& reading, const Placed& placed, const Step& step, 
     active.step = step.number;
     active.at = fields[0];
     active.key = fmt::format("TEMPERATURE {}", folded(target->name));
-    const double before = value_before(history, active.key).value_or(reading.initial_temperature.value_or(0));
-    const bool known = value_before(history, active.key).has_value();
-    const bool overlaps = std::ranges::any_of(history.before, [&](const Active& other) {
-      return other.kind == active.kind && other.key != active.key && share(other.items, active.items);
-    });
-    if (overlaps && !known) {
-      reading.faults.add(
-          fields[0], "found temperatures of nodes that another set had in a step before, expected the same "
-                     "set");
+    const auto before = temperature_before(reading, history, active.items);
+    if (!before && step.ramp && options.curve == nullptr) {
+      reading.faults.add(fields[0],
+                         "found temperatures of nodes that had several in the step before, expected "
+                         "sets whose nodes had one");
       continue;
     }
     std::erase_if(history.temperatures, [&](const Active& other) { return other.key == active.key; });
-    active.course = {step.ramp ? before : *value, *value, options.curve, *value, history.time};
+    active.course = {step.ramp ? before.value_or(*value) : *value, *value, options.curve, *value,
+                     history.time};
     history.temperatures.push_back(std::move(active));
   }
 }

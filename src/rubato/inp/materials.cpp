@@ -10,49 +10,17 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace rubato::inp {
 namespace {
 
 using mesh::inp::compact;
 
-/// The material that the keyword completes.
-MaterialData* material_above(Reading& reading, std::size_t index) {
-  const auto* const parent =
-      parent_of(reading, index, "MATERIAL", {"ELASTIC", "DENSITY", "EXPANSION", "DAMPING"});
-  const auto* const name = parent == nullptr ? nullptr : parent->block->find("NAME");
-  const auto found =
-      name == nullptr ? reading.materials.end() : reading.materials.find(mesh::inp::folded(name->value.text));
-  return found == reading.materials.end() ? nullptr : &found->second;
-}
-
-/// All numbers of the data, at least `least`; empty after a fault.
-std::vector<double> material_numbers(Reading& reading, const Block& block, std::size_t least,
-                                     std::size_t most, std::string_view expected) {
-  std::vector<double> numbers;
-  bool sound = true;
-  for (const auto& line : block.lines)
-    for (const auto& word : mesh::inp::fields_of(line)) {
-      const auto number = mesh::inp::require_number(word, expected, reading.faults, 0);
-      sound = sound && number.has_value();
-      numbers.push_back(number.value_or(0));
-    }
-  if (!sound)
-    return {};
-  if (numbers.size() >= least && numbers.size() <= most)
-    return numbers;
-  reading.faults.add(
-      block.at, fmt::format("found {} numbers of {}, expected {}{}", numbers.size(), block.at.text, expected,
-                            numbers.size() > most ? "; numbers that depend on the temperature are not "
-                                                    "available"
-                                                  : ""));
-  return {};
-}
-
 /// Moduli along the axes: E1 E2 E3 ν12 ν13 ν23 G12 G13 G23.
-void set_constants(const std::vector<double>& n, study::Physics physics, MaterialData& data) {
-  auto& o = data.material.orthotropy;
-  data.material.law = study::LawKind::orthotropic;
+void set_constants(const std::vector<double>& n, study::Physics physics, study::Material& material) {
+  auto& o = material.orthotropy;
+  material.law = study::LawKind::orthotropic;
   o.young_x = n[0];
   o.young_y = n[1];
   o.poisson_xy = n[3];
@@ -77,48 +45,95 @@ std::vector<double> constants_of_stiffness(const std::vector<double>& d) {
           d[6],        d[7],        d[8]};
 }
 
-void set_isotropic(Reading& reading, const Block& block, MaterialData& data) {
-  const auto numbers = material_numbers(reading, block, 1, 3, "Young's modulus and Poisson's ratio");
-  if (numbers.empty())
-    return;
-  data.material.young = numbers[0];
-  data.material.poisson = numbers.size() > 1 ? numbers[1] : 0;
+using Numbers = std::span<const double>;
+
+void set_isotropic(Numbers n, study::Physics, study::Material& material) {
+  material.law = study::LawKind::elastic;
+  material.young = n[0];
+  material.poisson = n[1];
 }
 
-void set_lamina(Reading& reading, const Block& block, MaterialData& data) {
-  const auto n = material_numbers(reading, block, 4, 7, "E1, E2, nu12, G12, G13, G23");
-  if (n.empty())
-    return;
-  data.plane_only = true;
-  set_constants({n[0], n[1], 0, n[2], 0, 0, n[3], 0, 0}, study::Physics::plane_stress, data);
+void set_lamina(Numbers n, study::Physics, study::Material& material) {
+  set_constants({n[0], n[1], 0, n[2], 0, 0, n[3], 0, 0}, study::Physics::plane_stress, material);
 }
 
-void set_orthotropic(Reading& reading, const Block& block, MaterialData& data) {
-  const auto n = material_numbers(reading, block, 9, 10,
-                                  "D1111, D1122, D2222, D1133, D2233, D3333, D1212, D1313, "
-                                  "D2323");
-  if (!n.empty())
-    set_constants(constants_of_stiffness(n), reading.study.physics, data);
+void set_orthotropic(Numbers n, study::Physics physics, study::Material& material) {
+  set_constants(constants_of_stiffness({n.begin(), n.end()}), physics, material);
 }
 
-void set_engineering(Reading& reading, const Block& block, MaterialData& data) {
-  const auto n = material_numbers(reading, block, 9, 10, "E1, E2, E3, nu12, nu13, nu23, G12, G13, G23");
-  if (!n.empty())
-    set_constants(n, reading.study.physics, data);
+void set_engineering(Numbers n, study::Physics physics, study::Material& material) {
+  set_constants({n.begin(), n.end()}, physics, material);
+}
+
+/// Places of the nine orthotropic moduli among the 21 of an anisotropic material.
+constexpr std::array orthotropic_places{0, 1, 2, 3, 4, 5, 9, 14, 20};
+
+void set_anisotropic(Numbers n, study::Physics physics, study::Material& material) {
+  std::vector<double> moduli;
+  for (const int place : orthotropic_places)
+    moduli.push_back(n[static_cast<std::size_t>(place)]);
+  set_orthotropic(moduli, physics, material);
 }
 
 struct ElasticType {
   std::string_view word;
-  void (*read)(Reading&, const Block&, MaterialData&);
+  std::size_t least;
+  std::size_t count;
+  std::string_view expected;
+  void (*set)(Numbers, study::Physics, study::Material&);
 };
-constexpr std::array elastic_types{ElasticType{"ISO", set_isotropic},
-                                   ElasticType{"ISOTROPIC", set_isotropic},
-                                   ElasticType{"ENGINEERINGCONSTANTS", set_engineering},
-                                   ElasticType{"LAMINA", set_lamina},
-                                   ElasticType{"ORTHO", set_orthotropic},
-                                   ElasticType{"ORTHOTROPIC", set_orthotropic}};
+constexpr std::string_view isotropic_numbers = "Young's modulus and Poisson's ratio";
+constexpr std::string_view stiffness_numbers =
+    "D1111, D1122, D2222, D1133, D2233, D3333, D1212, D1313, D2323";
+constexpr std::array elastic_types{
+    ElasticType{"ISO", 1, 2, isotropic_numbers, set_isotropic},
+    ElasticType{"ISOTROPIC", 1, 2, isotropic_numbers, set_isotropic},
+    ElasticType{"ENGINEERINGCONSTANTS", 9, 9, "E1, E2, E3, nu12, nu13, nu23, G12, G13, G23", set_engineering},
+    ElasticType{"LAMINA", 4, 6, "E1, E2, nu12, G12, G13, G23", set_lamina},
+    ElasticType{"ORTHO", 9, 9, stiffness_numbers, set_orthotropic},
+    ElasticType{"ORTHOTROPIC", 9, 9, stiffness_numbers, set_orthotropic},
+    ElasticType{"ANISO", 21, 21, "21 moduli", set_anisotropic},
+    ElasticType{"ANISOTROPIC", 21, 21, "21 moduli", set_anisotropic}};
+
+bool is_orthotropic(const HeatTable& table) {
+  return std::ranges::all_of(table.numbers, [](const auto& numbers) {
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      if (std::ranges::find(orthotropic_places, static_cast<int>(i)) == orthotropic_places.end() &&
+          numbers[i] != 0)
+        return false;
+    return true;
+  });
+}
+
+void set_density(Numbers n, study::Physics, study::Material& material) {
+  material.density = n[0];
+}
+
+/// One coefficient between the initial temperature and the present one, that expands as those of the table:
+/// these count from the temperature `zero`.
+std::array<double, 3> expansion_at(const ExpansionPart& part, double temperature, double initial) {
+  const auto now = numbers_at(part.table, temperature);
+  const auto first = numbers_at(part.table, initial);
+  std::array<double, 3> along{now[0], now[1], now[2]};
+  if (temperature != initial && now != first)
+    for (std::size_t i = 0; i < along.size(); ++i)
+      along.at(i) =
+          (now[i] * (temperature - part.zero) - first[i] * (initial - part.zero)) / (temperature - initial);
+  return along;
+}
 
 } // namespace
+
+MaterialData* material_above(Reading& reading, std::size_t index) {
+  const auto* const parent =
+      parent_of(reading, index, "MATERIAL",
+                {"ELASTIC", "DENSITY", "EXPANSION", "DAMPING", "PLASTIC", "CYCLIC HARDENING",
+                 "RATE DEPENDENT", "HYPERELASTIC", "VISCOELASTIC", "CREEP"});
+  const auto* const name = parent == nullptr ? nullptr : parent->block->find("NAME");
+  const auto found =
+      name == nullptr ? reading.materials.end() : reading.materials.find(mesh::inp::folded(name->value.text));
+  return found == reading.materials.end() ? nullptr : &found->second;
+}
 
 void read_material(Reading& reading, std::size_t index) {
   const auto& block = *reading.content.layout.blocks[index].block;
@@ -139,6 +154,7 @@ void read_elastic(Reading& reading, std::size_t index) {
   auto* const data = material_above(reading, index);
   if (data == nullptr)
     return;
+  data->names_law = true;
   const auto* const type = block.find("TYPE");
   const auto word = type == nullptr ? std::string("ISO") : compact(type->value.text);
   const auto* const found = std::ranges::find(elastic_types, std::string_view(word), &ElasticType::word);
@@ -147,16 +163,24 @@ void read_elastic(Reading& reading, std::size_t index) {
                               fmt::format("found TYPE={}, expected ISOTROPIC, ENGINEERING CONSTANTS, "
                                           "LAMINA or ORTHOTROPIC",
                                           type->value.text));
-  data->has_law = true;
-  found->read(reading, block, *data);
+  auto table = heat_table(reading, block, found->least, found->count, found->expected);
+  if (table.numbers.empty())
+    return;
+  if (found->set == set_anisotropic && !is_orthotropic(table))
+    return reading.faults.add(block.at, "found an anisotropic material without three planes of symmetry, "
+                                        "expected the moduli of an orthotropic one");
+  data->plane_only = found->set == set_lamina;
+  const auto* const moduli = block.find("MODULI");
+  data->instantaneous = moduli != nullptr && compact(moduli->value.text) == "INSTANTANEOUS";
+  data->law = {std::move(table), found->set};
 }
 
 void read_density(Reading& reading, std::size_t index) {
   const auto& block = *reading.content.layout.blocks[index].block;
   auto* const data = material_above(reading, index);
-  const auto numbers = material_numbers(reading, block, 1, 2, "one density");
-  if (data != nullptr && !numbers.empty())
-    data->material.density = numbers[0];
+  auto table = heat_table(reading, block, 1, 1, "one density");
+  if (data != nullptr && !table.numbers.empty())
+    data->density = {std::move(table), set_density};
 }
 
 void read_expansion(Reading& reading, std::size_t index) {
@@ -168,13 +192,16 @@ void read_expansion(Reading& reading, std::size_t index) {
   if (!along_axes && word != "ISO" && word != "ISOTROPIC")
     return reading.faults.add(type->value,
                               fmt::format("found TYPE={}, expected ISO or ORTHO", type->value.text));
-  const auto numbers = along_axes ? material_numbers(reading, block, 3, 4, "three coefficients of expansion")
-                                  : material_numbers(reading, block, 1, 2, "one coefficient of expansion");
-  if (data == nullptr || numbers.empty())
+  auto table = along_axes ? heat_table(reading, block, 3, 3, "three coefficients of expansion")
+                          : heat_table(reading, block, 1, 1, "one coefficient of expansion");
+  if (data == nullptr || table.numbers.empty())
     return;
-  auto& expansion = data->material.expansion.emplace();
-  expansion.along = along_axes ? std::array{numbers[0], numbers[1], numbers[2]}
-                               : std::array{numbers[0], numbers[0], numbers[0]};
+  for (auto& numbers : table.numbers)
+    numbers.resize(3, numbers.front());
+  auto& part = data->expansion.emplace();
+  part.table = std::move(table);
+  if (const auto* zero = block.find("ZERO"); zero != nullptr)
+    part.zero = mesh::inp::require_number(zero->value, "a temperature", reading.faults).value_or(0);
 }
 
 void read_damping(Reading& reading, std::size_t index) {
@@ -188,6 +215,25 @@ void read_damping(Reading& reading, std::size_t index) {
   };
   read("ALPHA", data->material.rayleigh_mass);
   read("BETA", data->material.rayleigh_stiffness);
+}
+
+study::Material material_at(const MaterialData& data, study::Physics physics, double temperature,
+                            double initial) {
+  auto material = data.material;
+  const auto set = [&](const MaterialPart& part) {
+    part.set(numbers_at(part.table, temperature), physics, material);
+  };
+  if (data.law)
+    set(*data.law);
+  if (data.density)
+    set(*data.density);
+  if (data.expansion)
+    material.expansion = {expansion_at(*data.expansion, temperature, initial), 0};
+  if (data.hardening)
+    set_hardening(*data.hardening, temperature, material);
+  if (data.relaxation)
+    set_relaxation(*data.relaxation, data.instantaneous, material);
+  return material;
 }
 
 // ---- axes
@@ -331,40 +377,63 @@ void set_thickness(Reading& reading, const Block& block) {
   reading.places["thickness"] = fields[0].at();
 }
 
+/// Keywords that a material must have, and those that do not go together.
+bool is_sound(Reading& reading, const MaterialData& data) {
+  if (!data.law && data.names_law)
+    return false;
+  if (!data.law) {
+    reading.faults.add(data.at,
+                       fmt::format("found the material {} without *ELASTIC or *HYPERELASTIC, expected "
+                                   "one of them",
+                                   shown(data.material.name)));
+    return false;
+  }
+  if (data.plane_only && reading.study.physics != study::Physics::plane_stress)
+    reading.faults.add(
+        data.at, "found moduli of a lamina, which are for plane stress, expected ENGINEERING CONSTANTS");
+  study::Material bare;
+  data.law->set(data.law->table.numbers.front(), reading.study.physics, bare);
+  if (bare.law == study::LawKind::elastic && data.hardening && data.relaxation)
+    reading.faults.add(data.relaxation->at, "found *VISCOELASTIC beside *PLASTIC, expected one of them");
+  if (bare.law == study::LawKind::elastic) {
+    if (data.hardening)
+      check_hardening(reading, *data.hardening);
+    return true;
+  }
+  if (data.hardening)
+    reading.faults.add(data.hardening->at, "found *PLASTIC of a material that is not isotropic and linear "
+                                           "elastic, expected *ELASTIC, TYPE=ISOTROPIC");
+  if (data.relaxation)
+    reading.faults.add(data.relaxation->at, "found *VISCOELASTIC of a material that is not isotropic and "
+                                            "linear elastic, expected *ELASTIC, TYPE=ISOTROPIC");
+  return true;
+}
+
 /// The material of the study for a material and its axes; cells with the same ones share it.
-study::Material* material_for(Reading& reading, const Word& name, const Word& orientation) {
+std::optional<std::size_t> material_for(Reading& reading, const Word& name, const Word& orientation) {
   const auto* const data = named(reading.materials, name, "a material", reading.faults);
   const Axes* const axes =
       orientation.empty() ? nullptr : named(reading.axes, orientation, "an orientation", reading.faults);
-  if (data == nullptr || (axes == nullptr && !orientation.empty()))
-    return nullptr;
-  if (!data->has_law) {
-    reading.faults.add(data->at, fmt::format("found the material {} without *ELASTIC, expected it",
-                                             shown(data->material.name)));
-    return nullptr;
-  }
-  if (data->plane_only && reading.study.physics != study::Physics::plane_stress)
-    reading.faults.add(
-        data->at, "found moduli of a lamina, which are for plane stress, expected ENGINEERING CONSTANTS");
-  const bool turned = axes != nullptr && data->material.law == study::LawKind::orthotropic;
-  auto material = data->material;
+  if (data == nullptr || (axes == nullptr && !orientation.empty()) || !is_sound(reading, *data) ||
+      !reading.faults.empty())
+    return std::nullopt;
+  const double first = data->law->table.temperatures.front();
+  auto material = material_at(*data, reading.study.physics, first, first);
+  const bool turned = axes != nullptr && material.law == study::LawKind::orthotropic;
   if (turned)
     turn_material(reading, *axes, material);
-  const auto wanted =
-      turned ? fmt::format("{}_{}", data->material.name, orientation.text) : data->material.name;
-  const auto same = std::ranges::find_if(reading.study.materials, [&](const study::Material& other) {
-    auto bare = other;
-    bare.cells.clear();
-    bare.name = material.name;
-    return reading.places.contains("materials." + other.name) && bare == material &&
-           reading.places.at("materials." + other.name).line == data->at.line;
+  const auto same = std::ranges::find_if(reading.made_materials, [&](const MadeMaterial& other) {
+    return other.data == data && other.turned == material;
   });
-  if (same != reading.study.materials.end())
-    return &*same;
-  material.name = chosen_name(reading, "material", wanted);
+  if (same != reading.made_materials.end())
+    return static_cast<std::size_t>(same - reading.made_materials.begin());
+  reading.made_materials.push_back({data, material, {}});
+  material.name =
+      chosen_name(reading, "material",
+                  turned ? fmt::format("{}_{}", data->material.name, orientation.text) : data->material.name);
   reading.places["materials." + material.name] = data->at.at();
   reading.study.materials.push_back(std::move(material));
-  return &reading.study.materials.back();
+  return reading.study.materials.size() - 1;
 }
 
 } // namespace
@@ -379,16 +448,22 @@ void read_solid_section(Reading& reading, std::size_t index) {
     return;
   set_thickness(reading, block);
   const auto found = mesh::inp::find_elements(reading.content, placed.scope, set, reading.faults);
-  auto* const material = material_for(reading, name, orientation == nullptr ? Word{} : orientation->value);
-  if (!found || material == nullptr)
+  const auto place = material_for(reading, name, orientation == nullptr ? Word{} : orientation->value);
+  if (!found || !place) {
+    if (found && reading.materials.contains(mesh::inp::folded(name.text)))
+      reading.with_section.insert(reading.with_section.end(), found->items.begin(), found->items.end());
     return;
+  }
   if (found->name.empty() || !found->is_set)
     return reading.faults.add(
         set, fmt::format("found {}, expected a set of solid elements", shown(std::string(set.text))));
-  material->cells.push_back(found->name);
+  auto& material = reading.study.materials[*place];
+  auto& made = reading.made_materials[*place];
+  material.cells.push_back(found->name);
+  made.elements.insert(made.elements.end(), found->items.begin(), found->items.end());
   reading.with_section.insert(reading.with_section.end(), found->items.begin(), found->items.end());
-  if (material->density)
-    reading.densities[found->name] = *material->density;
+  if (material.density)
+    reading.densities[found->name] = *material.density;
 }
 
 } // namespace rubato::inp

@@ -15,18 +15,26 @@
 
 namespace rubato::inp {
 
-/// What the file is read for: steps that are computed in time, or the step that asks for natural modes.
+/// Steps that are read: all of the file, or those with natural modes.
 enum class Purpose { run, modes };
 
 /// Where the values of a study are written, by their paths: "contact.top_base", "supports.0".
 using Places = std::map<std::string, Location, std::less<>>;
 
+/// Number and range of the natural modes of a step.
+struct ModesAsked {
+  std::optional<int> number;     ///< of the lowest ones in the range; not given: all in it
+  double lowest = 0;             ///< frequency [1/time]
+  std::optional<double> highest; ///< likewise
+  bool operator==(const ModesAsked&) const = default;
+};
+
 struct Input {
   std::string title;              ///< the heading's first line
   std::vector<study::Study> runs; ///< of each step, at least one; each starts from the end of the one before
   std::vector<Places> places;     ///< of each run
-  std::optional<int> mode_count;  ///< that the step of modes asks for
-  std::vector<std::string> notes; ///< what whoever runs it should read: what was left out or differs
+  std::map<std::string, ModesAsked> modes; ///< runs that are natural modes, by name
+  std::vector<std::string> notes;          ///< what whoever runs it should read: what was left out or differs
 };
 
 /// Reads a file and those it includes. Its mesh is that of mesh::read_inp, which the studies name as their

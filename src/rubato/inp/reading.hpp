@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rubato/core/transformed.hpp"
+#include "rubato/inp/material_data.hpp"
 #include "rubato/inp/read.hpp"
 #include "rubato/mesh/io/inp_content.hpp"
 
@@ -33,11 +34,11 @@ struct Curve {
   bool total_time = false; ///< else the time of the step
 };
 
-struct MaterialData {
-  study::Material material; ///< without cells
-  bool has_law = false;
-  bool plane_only = false; ///< moduli of a lamina
-  Word at;
+/// A material of the study: what it is made of at each temperature, and its elements.
+struct MadeMaterial {
+  const MaterialData* data = nullptr;
+  study::Material turned; ///< has the axes
+  std::vector<std::int32_t> elements;
 };
 
 /// Axes of a material.
@@ -59,7 +60,8 @@ struct LocalAxes {
 struct Interaction {
   study::ContactZone numbers; ///< friction and method
   Word at;
-  bool tied = false; ///< surfaces do not part or slide
+  bool tied = false;    ///< surfaces do not part or slide
+  bool changed = false; ///< in the step that is read
 };
 
 /// The relation that a node is the reference of; of a node for rotations alone its displacements are
@@ -77,6 +79,13 @@ struct Target {
   std::int32_t rotation = -1; ///< the node whose displacements are the rotations; −1: none
 };
 
+/// A set of elements by its group.
+struct ElementGroup {
+  std::string name;
+  std::vector<std::int32_t> items; ///< ascending
+  bool operator==(const ElementGroup&) const = default;
+};
+
 struct Reading {
   Reading(const Content& all, Faults& told) : content(all), faults(told) {}
 
@@ -90,8 +99,11 @@ struct Reading {
   Places places;
   std::map<std::string, Curve> curves; ///< by folded label, as all below
   std::map<std::string, MaterialData> materials;
+  std::vector<MadeMaterial> made_materials; ///< of each material of the study
   std::map<std::string, Axes> axes;
   std::map<std::string, Interaction> interactions;
+  std::set<std::string> removed_zones;              ///< by *MODEL CHANGE
+  std::vector<ElementGroup> removed_elements;       ///< likewise
   std::map<std::int32_t, ReferenceNode> references; ///< by node
   std::vector<char> body_nodes;                     ///< by node: whether an element that deforms has it
   std::set<std::int32_t> used_nodes;                ///< of equations, springs, dashpots and masses
@@ -157,6 +169,12 @@ void read_elastic(Reading& reading, std::size_t index);
 void read_density(Reading& reading, std::size_t index);
 void read_expansion(Reading& reading, std::size_t index);
 void read_damping(Reading& reading, std::size_t index);
+void read_plastic(Reading& reading, std::size_t index);
+void read_cyclic_hardening(Reading& reading, std::size_t index);
+void read_rate_dependent(Reading& reading, std::size_t index);
+void read_hyperelastic(Reading& reading, std::size_t index);
+void read_viscoelastic(Reading& reading, std::size_t index);
+void read_creep(Reading& reading, std::size_t index);
 void read_orientation(Reading& reading, std::size_t index);
 void read_solid_section(Reading& reading, std::size_t index);
 void read_initial_conditions(Reading& reading, std::size_t index);

@@ -191,6 +191,10 @@ void note_rings(Reading& reading, const Word& at, const study::PrintedTable& tab
 /// Notes what differs from CalculiX and from the loads.
 void note_definitions(Reading& reading, const Word& at, const study::PrintedTable& table) {
   note_rings(reading, at, table);
+  const bool meets_itself =
+      std::ranges::any_of(reading.study.contact, [](const auto& zone) { return !zone.self.empty(); });
+  if (meets_itself && std::ranges::find(table.quantities, "CDIS") != table.quantities.end())
+    note(reading, at, "slips of CDIS are 0 in contact of a surface with itself");
   if (table.of == TableOf::faces)
     note(reading, at,
          "forces of *SECTION PRINT are those of stresses averaged at nodes, as in CalculiX; on coarse meshes "

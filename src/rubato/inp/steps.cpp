@@ -3,6 +3,7 @@
 
 #include "rubato/core/naming.hpp"
 #include "rubato/study/contact_methods.hpp"
+#include "rubato/study/formulation.hpp"
 #include "rubato/study/table_words.hpp"
 #include "rubato/study/validate.hpp"
 
@@ -22,7 +23,8 @@ struct StepKeyword {
   void (*read)(Reading&, const Placed&, Step&);
 };
 /// Keywords that say what the step is, read before its loads.
-constexpr std::array procedures{StepKeyword{"STATIC", read_static}, StepKeyword{"DYNAMIC", read_dynamic},
+constexpr std::array procedures{StepKeyword{"STATIC", read_static}, StepKeyword{"VISCO", read_visco},
+                                StepKeyword{"DYNAMIC", read_dynamic},
                                 StepKeyword{"FREQUENCY", read_frequency}};
 constexpr std::array requests{
     StepKeyword{"NODE PRINT", read_print},      StepKeyword{"EL PRINT", read_print},
@@ -31,6 +33,21 @@ constexpr std::array requests{
     StepKeyword{"CONTACT OUTPUT", read_output}, StepKeyword{"NODE FILE", read_field_request},
     StepKeyword{"EL FILE", read_field_request}, StepKeyword{"CONTACT FILE", read_field_request},
     StepKeyword{"OUTPUT", read_field_request}};
+
+struct ChangeKeyword {
+  std::string_view name;
+  void (*read)(Reading&, std::size_t index);
+};
+/// Keywords of the model that a step may have.
+constexpr std::array changes_only_in_steps{ChangeKeyword{"CHANGE FRICTION", read_change},
+                                           ChangeKeyword{"CHANGE SURFACE BEHAVIOR", read_change},
+                                           ChangeKeyword{"CHANGE CONTACT TYPE", read_change},
+                                           ChangeKeyword{"CHANGE MATERIAL", read_change},
+                                           ChangeKeyword{"CHANGE PLASTIC", read_change_plastic},
+                                           ChangeKeyword{"MODEL CHANGE", read_model_change}};
+constexpr std::array changes_too{ChangeKeyword{"EQUATION", read_equation}, ChangeKeyword{"MPC", read_mpc},
+                                 ChangeKeyword{"FRICTION", read_friction},
+                                 ChangeKeyword{"SURFACE BEHAVIOR", read_surface_behavior}};
 
 struct LoadKeyword {
   std::string_view name;
@@ -77,17 +94,21 @@ std::vector<StepBlocks> split(Reading& reading) {
   return steps;
 }
 
-void check_nonlinear(Reading& reading, const Block& block) {
+/// NLGEOM of a step; nothing where it is not there.
+std::optional<bool> nonlinear_in(Reading& reading, const Block& block) {
   const auto* const nlgeom = block.find("NLGEOM");
-  if (nlgeom != nullptr && compact(nlgeom->value.text) != "NO")
-    reading.faults.add(nlgeom->name,
-                       "found NLGEOM, but bodies have small strains and rotations in rubato (contact slides "
-                       "as far as it likes), expected NLGEOM=NO");
+  if (nlgeom == nullptr)
+    return std::nullopt;
+  const auto word = compact(nlgeom->value.text);
+  if (!word.empty() && word != "YES" && word != "NO" && word != "ON" && word != "OFF")
+    reading.faults.add(nlgeom->value, fmt::format("found NLGEOM={}, expected YES or NO", nlgeom->value.text));
+  return word != "NO" && word != "OFF";
 }
 
 void read_head(Reading& reading, const Block& block, Step& step) {
   mesh::inp::check_parameters(block, reading.faults);
-  check_nonlinear(reading, block);
+  if (step.nonlinear = nonlinear_in(reading, block); step.nonlinear)
+    step.nonlinear_at = block.find("NLGEOM")->name;
   if (const auto* amplitude = block.find("AMPLITUDE"); amplitude != nullptr) {
     const auto word = compact(amplitude->value.text);
     step.ramp = word == "RAMP";
@@ -95,7 +116,8 @@ void read_head(Reading& reading, const Block& block, Step& step) {
       reading.faults.add(amplitude->value,
                          fmt::format("found AMPLITUDE={}, expected RAMP or STEP", amplitude->value.text));
   }
-  if (block.find("PERTURBATION") != nullptr && step.procedure != Procedure::modes)
+  step.perturbation = block.find("PERTURBATION") != nullptr;
+  if (step.perturbation && step.procedure != Procedure::modes)
     reading.faults.add(block.find("PERTURBATION")->name,
                        "found PERTURBATION, which *FREQUENCY takes alone, expected a "
                        "step without it");
@@ -180,7 +202,8 @@ void add_supports(study::Study& study, Places& places, const History& history, c
 
 void add_temperatures(study::Study& study, Places& places, const History& history, const Step& step,
                       const Reading& reading) {
-  if (history.temperatures.empty())
+  const auto expands = [](const study::Material& material) { return material.expansion.has_value(); };
+  if (history.temperatures.empty() || std::ranges::none_of(study.materials, expands))
     return;
   study.temperatures.push_back(
       {std::string(study::everywhere), study::Field(reading.initial_temperature.value_or(0))});
@@ -190,9 +213,6 @@ void add_temperatures(study::Study& study, Places& places, const History& histor
     places[fmt::format("temperature.{}", study.temperatures.size())] = active.at.at();
     study.temperatures.push_back({active.on, study::Field(value, function)});
   }
-  for (auto& material : study.materials)
-    if (material.expansion)
-      material.expansion->reference = reading.initial_temperature.value_or(0);
 }
 
 /// Explicit steps with massless contact: slave surfaces have no mass, and contact is exact.
@@ -212,19 +232,56 @@ void take_massless_contact(Reading& reading, study::Study& study, const Step& st
                    study.time.step));
 }
 
-/// Explicit steps take contact by penalty on the nodes alone.
-void fit_contact(Reading& reading, study::Study& study, const Step& step) {
-  if (step.procedure != Procedure::explicit_steps)
-    return;
-  if (reading.massless_contact)
+/// Explicit steps take contact by penalty on the nodes alone; steps beside them have it on the nodes, too.
+void fit_contact(Reading& reading, study::Study& study, const History& history, const Step& step) {
+  if (reading.massless_contact && step.procedure == Procedure::explicit_steps)
     return take_massless_contact(reading, study, step);
-  for (auto& zone : study.contact)
-    if (!zone.tie && study::entry_of(zone.method).exact) {
+  for (auto& zone : study.contact) {
+    if (zone.tie || !history.explicit_steps)
+      continue;
+    if (zone.integration.by != study::ContactIntegration::nodes || zone.freeze)
+      note(reading, step.procedure_at,
+           "contact of files with explicit steps is on the nodes, with large sliding");
+    zone.integration = {study::ContactIntegration::nodes, 0};
+    zone.freeze = false;
+    if (step.procedure != Procedure::explicit_steps)
+      continue;
+    if (study::entry_of(zone.method).exact) {
       zone.method = study::ContactMethod::penalty;
-      zone.friction_method = study::FrictionMethod::penalty;
-      zone.integration.by = study::ContactIntegration::nodes;
       note(reading, step.procedure_at, "contact of explicit steps is by penalty on the nodes");
     }
+    zone.friction_method = study::FrictionMethod::penalty;
+  }
+}
+
+/// Increments grow and shrink between the first and the largest one where a step has iterations to judge by.
+void set_increments(Reading& reading, study::Study& study, const Step& step) {
+  if (step.procedure != Procedure::steps || step.direct || study.time.step >= step.time.end - step.time.begin)
+    return;
+  if (study::is_linear(study))
+    return note(reading, step.procedure_at,
+                fmt::format("increments are {} throughout (shorter where a step does not converge); Abaqus "
+                            "and CalculiX choose their own without DIRECT",
+                            study.time.step));
+  study.time.max_step = step.largest > 0 ? step.largest : step.time.end - step.time.begin;
+  note(reading, step.procedure_at,
+       fmt::format("increments begin with {} and grow and shrink with their iterations, up to {}",
+                   study.time.step, *study.time.max_step));
+}
+
+/// Weights need masses.
+void check_weights(Reading& reading, const study::Study& study, const History& history) {
+  for (const auto& active : history.loads) {
+    if (active.load != study::LoadKind::gravity || (active.course.to == 0 && active.course.curve == nullptr))
+      continue;
+    for (std::size_t i = 0; i < reading.made_materials.size(); ++i)
+      if (study.materials[i].density.value_or(0) == 0 &&
+          share(reading.made_materials[i].elements, active.items))
+        reading.faults.add(active.at,
+                           fmt::format("found {} on elements of {}, which has no *DENSITY; expected "
+                                       "it",
+                                       active.label, shown(reading.made_materials[i].data->material.name)));
+  }
 }
 
 void add_probes_and_fields(Reading& reading, study::Study& study, const Requests& asked, int step,
@@ -270,10 +327,15 @@ study::Study study_of(Reading& reading, const History& history, const Step& step
   places[""] = step.at.at();
   add_supports(study, places, history, step);
   add_loads(study, places, history, step);
+  set_bodies(reading, study, history, step);
   add_pretensions(reading, study);
   add_temperatures(study, places, history, step, reading);
-  fit_contact(reading, study, step);
+  check_weights(reading, study, history);
+  set_increments(reading, study, step);
+  open_removed(reading, study);
+  fit_contact(reading, study, history, step);
   fit_formulations(reading, study, places);
+  weaken_removed(reading, study, step);
   add_probes_and_fields(reading, study, history.requests, step.number, step.at);
   return study;
 }
@@ -287,6 +349,7 @@ void finish_step(History& history, const Step& step) {
       auto& course = active.course;
       course.to = value_at_end(course, step.time.begin, step.time.end);
       course.from = course.to;
+      course.rise = 0;
       if (course.curve != nullptr && !course.curve->total_time)
         course.curve = nullptr;
       history.before.push_back(active);
@@ -303,6 +366,18 @@ void read_loads(Reading& reading, const StepBlocks& blocks, const Step& step, Hi
       row->read(reading, *placed, step, history);
 }
 
+void read_changes(Reading& reading, const StepBlocks& blocks) {
+  const auto& all = reading.content.layout.blocks;
+  for (const auto* placed : blocks.blocks) {
+    const auto& name = placed->block->keyword->name;
+    const auto* row = find(changes_only_in_steps, name);
+    row = row == nullptr ? find(changes_too, name) : row;
+    if (row != nullptr)
+      row->read(reading, static_cast<std::size_t>(placed - all.data()));
+  }
+  apply_changes(reading);
+}
+
 Step read_step(Reading& reading, const StepBlocks& blocks, int number, double begin) {
   Step step;
   step.number = number;
@@ -316,15 +391,17 @@ Step read_step(Reading& reading, const StepBlocks& blocks, int number, double be
   }
   read_head(reading, *blocks.begin->block, step);
   if (step.procedure == Procedure::none)
-    reading.faults.add(step.at, "found a step without *STATIC, *DYNAMIC or *FREQUENCY, expected one of them");
+    reading.faults.add(step.at,
+                       "found a step without *STATIC, *VISCO, *DYNAMIC or *FREQUENCY, expected one of them");
   step.time.begin = begin;
   step.time.end += begin;
   for (const auto* placed : blocks.blocks) {
     const auto& block = *placed->block;
     const auto& name = block.keyword->name;
     const auto* const request = find(requests, name);
-    const bool known =
-        request != nullptr || find(loads, name) != nullptr || find(procedures, name) != nullptr;
+    const bool known = request != nullptr || find(loads, name) != nullptr ||
+                       find(procedures, name) != nullptr || find(changes_only_in_steps, name) != nullptr ||
+                       find(changes_too, name) != nullptr;
     if (block.keyword->use == Use::study)
       mesh::inp::check_parameters(block, reading.faults);
     if (request != nullptr)
@@ -364,22 +441,72 @@ void judge(Reading& reading, const study::Study& study, const Places& places) {
   }
 }
 
+/// Stress of the steps before changes the stiffness that modes have.
+void check_base_state(Reading& reading, const Step& step, const History& history) {
+  if (step.perturbation || history.nonlinear)
+    return reading.faults.add(
+        step.procedure_at,
+        fmt::format("found {} after a static or dynamic step {}: its modes are about the bodies under the "
+                    "stress of that step, and rubato has those of undeformed bodies only; expected it in the "
+                    "first step",
+                    step.procedure_at.text, step.perturbation ? "with PERTURBATION" : "with NLGEOM"));
+  note(reading, step.procedure_at, "natural modes are those of the undeformed bodies without stress");
+}
+
+/// NLGEOM stays on in the steps that follow.
+void follow_nonlinear(Reading& reading, const Step& step, History& history) {
+  if (step.nonlinear.value_or(false) && !history.nonlinear) {
+    history.nonlinear = true;
+    history.nonlinear_at = step.nonlinear_at;
+  } else if (!step.nonlinear.value_or(true) && history.nonlinear) {
+    note(reading, step.nonlinear_at, "NLGEOM stays on after a step with it, as in Abaqus");
+  }
+}
+
+/// Supports before the first step. Other keywords of steps are refused there.
+void read_before_steps(Reading& reading, History& history) {
+  const Step before_steps;
+  bool in_step = false;
+  for (const auto& placed : reading.content.layout.blocks) {
+    in_step = placed.block->is("STEP") || (in_step && !placed.block->is("END STEP"));
+    const auto& name = placed.block->keyword->name;
+    if (placed.block->is("BOUNDARY") && !in_step)
+      read_boundary(reading, placed, before_steps, history);
+    else if (!in_step && (find(loads, name) != nullptr || find(procedures, name) != nullptr ||
+                          find(requests, name) != nullptr || find(changes_only_in_steps, name) != nullptr))
+      refuse(reading, placed, false);
+  }
+}
+
+/// The study of a step, where it is wanted and nothing is wrong.
+void add_run(Reading& reading, const History& history, const Step& step, const std::string& previous,
+             Input& input) {
+  const bool is_modes = step.procedure == Procedure::modes;
+  auto places = reading.places;
+  auto study = study_of(reading, history, step, is_modes ? "" : previous, places);
+  if (!reading.faults.empty())
+    return;
+  judge(reading, study, places);
+  if (is_modes)
+    input.modes[study.name] = step.modes;
+  input.runs.push_back(std::move(study));
+  input.places.push_back(std::move(places));
+}
+
 } // namespace
 
 void read_steps(Reading& reading, Purpose purpose, Input& input) {
   const auto steps = split(reading);
   History history;
-  const Step before_steps;
-  bool in_step = false;
-  for (const auto& placed : reading.content.layout.blocks) {
-    in_step = placed.block->is("STEP") || (in_step && !placed.block->is("END STEP"));
-    if (placed.block->is("BOUNDARY") && !in_step)
-      read_boundary(reading, placed, before_steps, history);
-    else if (!in_step && (find(loads, placed.block->keyword->name) != nullptr ||
-                          find(procedures, placed.block->keyword->name) != nullptr ||
-                          find(requests, placed.block->keyword->name) != nullptr))
-      refuse(reading, placed, false);
-  }
+  history.nonlinear_later = std::ranges::any_of(steps, [&](const StepBlocks& step) {
+    return nonlinear_in(reading, *step.begin->block).value_or(false);
+  });
+  history.explicit_steps = std::ranges::any_of(steps, [](const StepBlocks& step) {
+    return std::ranges::any_of(step.blocks, [](const Placed* placed) {
+      return placed->block->is("DYNAMIC") && placed->block->find("EXPLICIT") != nullptr;
+    });
+  });
+  read_before_steps(reading, history);
   if (steps.empty())
     reading.faults.add(reading.places.at("mesh"), "found no *STEP in the file, expected at least one");
   std::string previous;
@@ -387,29 +514,25 @@ void read_steps(Reading& reading, Purpose purpose, Input& input) {
     const auto number = static_cast<int>(i) + 1;
     auto step = read_step(reading, steps[i], number, history.time);
     step.name = step_name(reading, *steps[i].begin->block, number, steps.size());
+    follow_nonlinear(reading, step, history);
+    read_changes(reading, steps[i]);
     read_loads(reading, steps[i], step, history);
     check_velocities(reading, step, history);
     renew_requests(reading, step, history.requests);
     const bool is_modes = step.procedure == Procedure::modes;
-    if (is_modes && purpose == Purpose::run)
-      reading.faults.add(step.procedure_at,
-                         fmt::format("found {}, which 'rubato modes' computes, expected *STATIC or "
-                                     "*DYNAMIC",
-                                     step.procedure_at.text));
-    const bool wanted = purpose == Purpose::run || is_modes;
-    if (wanted && reading.faults.empty()) {
-      auto places = reading.places;
-      input.runs.push_back(study_of(reading, history, step, is_modes ? "" : previous, places));
-      input.mode_count = step.mode_count;
-      judge(reading, input.runs.back(), places);
-      input.places.push_back(std::move(places));
-    }
+    if (is_modes && !previous.empty())
+      check_base_state(reading, step, history);
+    if ((purpose == Purpose::run || is_modes) && reading.faults.empty())
+      add_run(reading, history, step, previous, input);
     if (is_modes)
       continue;
     previous = step.name;
     if (reading.faults.empty())
       finish_step(history, step);
   }
+  keep_friction(input.runs);
+  for (auto& study : input.runs) // one mesh for all of them
+    study.mesh.groups = reading.study.mesh.groups;
   if (purpose == Purpose::modes && input.runs.empty() && reading.faults.empty() && !steps.empty())
     reading.faults.add(steps.front().begin->block->at,
                        "found no *FREQUENCY in the file, expected a step with it");

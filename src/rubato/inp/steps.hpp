@@ -17,6 +17,7 @@ struct Course {
   const Curve* curve = nullptr; ///< instead
   double scale = 1;
   double origin = 0; ///< total time at which the step began that gave it
+  double rise = 0;   ///< of the straight line; 0: the whole step
 };
 
 /// A load or a support of one kind on one target.
@@ -31,6 +32,7 @@ struct Active {
   Word at;
   study::LoadKind load = study::LoadKind::nodal_force;
   std::array<study::FieldValue, 3> direction{}; ///< of a load, for the magnitude 1
+  bool follows = false;                         ///< a traction that turns with its surface
   int dof = 0;                                  ///< of a support: 0 to 2 displacements, 3 to 5 rotations
   std::optional<std::array<double, 3>> along;   ///< of a support across the axes: its direction
   study::Given given = study::Given::displacement;
@@ -53,8 +55,14 @@ struct Step {
   Procedure procedure = Procedure::none;
   Word procedure_at;
   study::TimeStepping time;
-  bool ramp = true; ///< default of loads
-  std::optional<int> mode_count;
+  bool ramp = true;              ///< default of loads
+  bool viscous = false;          ///< *VISCO
+  bool direct = false;           ///< the file gives the increments
+  double largest = 0;            ///< increment; 0: none given
+  std::optional<bool> nonlinear; ///< NLGEOM of *STEP
+  Word nonlinear_at;             ///< its place
+  bool perturbation = false;
+  ModesAsked modes;
   Requests requests;
   std::optional<bool> of_fields; ///< whether the last *OUTPUT is one of fields; none: there is none
   int output_every = 1;          ///< FREQUENCY of the last *OUTPUT of histories
@@ -62,7 +70,11 @@ struct Step {
 
 /// What goes on from step to step.
 struct History {
-  double time = 0; ///< total, at the begin of the step
+  bool nonlinear = false;       ///< NLGEOM, which stays on
+  bool nonlinear_later = false; ///< in this step or a later one
+  Word nonlinear_at;            ///< where it begins
+  bool explicit_steps = false;  ///< some step is explicit
+  double time = 0;              ///< total, at the begin of the step
   std::vector<Active> loads;
   std::vector<Active> supports;
   std::vector<Active> temperatures;
@@ -74,6 +86,7 @@ struct History {
 // ---- keywords of a step
 
 void read_static(Reading& reading, const Placed& placed, Step& step);
+void read_visco(Reading& reading, const Placed& placed, Step& step);
 void read_dynamic(Reading& reading, const Placed& placed, Step& step);
 void read_frequency(Reading& reading, const Placed& placed, Step& step);
 
@@ -108,6 +121,23 @@ std::pair<double, std::string> value_in(study::Study& study, const Course& cours
 void add_pretensions(Reading& reading, study::Study& study);
 /// Materials get the formulations that the types of their elements have.
 void fit_formulations(Reading& reading, study::Study& study, Places& places);
+/// *CHANGE FRICTION, SURFACE BEHAVIOR, MATERIAL: what the keywords below it complete is looked up by it.
+void read_change(Reading& reading, std::size_t index);
+void read_change_plastic(Reading& reading, std::size_t index);
+void read_model_change(Reading& reading, std::size_t index);
+/// Zones get the numbers of interactions that have changed.
+void apply_changes(Reading& reading);
+/// Zones that *MODEL CHANGE has taken away stay so far apart that they never touch.
+void open_removed(const Reading& reading, study::Study& study);
+/// Elements that *MODEL CHANGE has taken away get a material of next to no stiffness.
+void weaken_removed(Reading& reading, study::Study& study, const Step& step);
+/// Zones with friction in some runs have next to none in the others: a run starts from another one only where
+/// both have friction.
+void keep_friction(std::vector<study::Study>& runs);
+
+/// Gives the materials of a study, which has the loads of the step already, the numbers and strains of the
+/// step.
+void set_bodies(Reading& reading, study::Study& study, const History& history, const Step& step);
 
 /// Every step as a study of its own.
 void read_steps(Reading& reading, Purpose purpose, Input& input);

@@ -4,6 +4,7 @@
 #include "rubato/core/error.hpp"
 #include "rubato/core/processor_time.hpp"
 #include "rubato/model/model.hpp"
+#include "rubato/study/formulation.hpp"
 #include "rubato/time/step_control.hpp"
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 #include <variant>
 
@@ -36,6 +38,21 @@ std::vector<double> instants_of(const study::TimeStepping& time, int records) {
   return time::with_stops(std::move(instants), time.stops);
 }
 
+/// The end of the run that the study starts from; nullptr where it starts from its own begin.
+const step::State* end_before(const model::Model& model, const Start& start) {
+  if (start.memento != nullptr || model.study.time.start != study::StartKind::from_run)
+    return nullptr;
+  if (start.previous == nullptr)
+    throw std::invalid_argument("a study that starts from another run needs the end of that run");
+  if (start.previous->motion.u.size() == model.dofs.dof_count &&
+      (remembers_alike(model, *start.previous) || !study::remembers(model.study)))
+    return start.previous;
+  throw InputError({fault_at(
+      "time.start.from", fmt::format("run '{}' cannot start from the end of run '{}': that one has another "
+                                     "mesh or materials that remember something else",
+                                     model.study.name, model.study.time.start_run))});
+}
+
 /// Throws InputError when the study asks for steps that would not be stable.
 void check_step(const study::TimeStepping& time, double stable) {
   if (time.step > stable)
@@ -49,8 +66,8 @@ void check_step(const study::TimeStepping& time, double stable) {
 } // namespace
 
 ExplicitIntegrator::ExplicitIntegrator(const model::Model& model, const Start& start)
-    : time_(model.study.time), motion_(model), state_(motion_.state()), energy_(motion_.energy()),
-      equal_records_(whole((time_.end - time_.begin) / time_.record)),
+    : time_(model.study.time), motion_(model, end_before(model, start)), state_(motion_.state()),
+      energy_(motion_.energy()), equal_records_(whole((time_.end - time_.begin) / time_.record)),
       instants_(instants_of(time_, equal_records_)), stages_(model, instants_) {
   const auto spectrum = motion_.spectrum();
   check_step(time_, spectrum.stable_step());

@@ -124,7 +124,8 @@ TEST(AmplitudesOfFiles, AreOfTheStepOrOfAllSteps) {
 TEST(ModesOfFiles, AreThoseOfABarOfFourElements) {
   const auto input = inp::read_input(test::inp_file("modes"), inp::Purpose::modes);
   ASSERT_EQ(input.runs.size(), 1U);
-  EXPECT_EQ(input.mode_count, 3);
+  EXPECT_EQ(input.modes.at("run").number, 3);
+  EXPECT_EQ(inp::read_input(test::inp_file("modes")).modes, input.modes); // among all steps
   const test::BuiltModel model(modes::modal_study(input.runs[0]));
   const auto modes = modes::modes_of(model, {1, modes::Contact::open});
   const double angle = std::numbers::pi / 8, length = 0.25;

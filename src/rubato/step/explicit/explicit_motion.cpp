@@ -102,20 +102,27 @@ std::vector<int> surface_dofs(const Model& model) {
   return dofs;
 }
 
+/// Returns the material states of `from` where they fit the model, else the initial ones.
+domain::QuadratureStates first_states(const Model& model, const State* from) {
+  auto states = model.domain.initial_states();
+  return from != nullptr && from->bulk_points.values.size() == states.values.size() ? from->bulk_points
+                                                                                    : std::move(states);
+}
+
 } // namespace
 
 double Spectrum::stable_step() const {
   return 4 / (damping + std::sqrt(damping * damping + 4 * (stiffness + impact * contact)));
 }
 
-ExplicitMotion::ExplicitMotion(const Model& model)
+ExplicitMotion::ExplicitMotion(const Model& model, const State* from)
     : model_(&model), reduction_(std::make_shared<const constraint::Reduction>(model.reduction)),
       inverse_mass_(inverse_masses(model, model.reduction)),
       mass_(model.lumped_mass, model::reference_masses(model), model.reduction),
       counted_mass_(counted_once(model.lumped_mass)), ties_(tied_zones(model)), surface_(surface_dofs(model)),
-      t_(model.study.time.begin), u_(model.initial.displacement), v_(model.initial.velocity),
-      bulk_points_(model.domain.initial_states()), unbalance_(VectorXd::Zero(inverse_mass_.size())),
-      contact_force_(unbalance_) {
+      t_(model.study.time.begin), u_(from == nullptr ? model.initial.displacement : from->motion.u),
+      v_(from == nullptr ? model.initial.velocity : from->motion.v), bulk_points_(first_states(model, from)),
+      unbalance_(VectorXd::Zero(inverse_mass_.size())), contact_force_(unbalance_) {
   if (model.has_damping)
     damping_.emplace(model.damping, model.dofs.components, model.threads);
   if (model::is_damped(model))

@@ -54,10 +54,11 @@ struct Spectrum {
 
 class ExplicitMotion {
 public:
-  /// In the model's initial motion, under the loads and imposed displacements of the study's first instant.
-  /// The model must outlive this. Throws InputError when a free unknown has no mass, or a cell no forces in
-  /// the initial displacements.
-  explicit ExplicitMotion(const model::Model& model);
+  /// In the model's initial motion, or in that of `from`, the end of another run, with the states of its
+  /// materials; under the loads and imposed displacements of the study's first instant. The model must
+  /// outlive this. Throws InputError when a free unknown has no mass, or a cell no forces in the initial
+  /// displacements.
+  explicit ExplicitMotion(const model::Model& model, const State* from = nullptr);
 
   double t() const { return t_; }
   std::int64_t steps() const { return steps_; }

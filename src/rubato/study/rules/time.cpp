@@ -84,9 +84,11 @@ void check_start(Rules& rules) {
   if (time.start == StartKind::at_rest_unloaded && time.scheme == SchemeKind::static_steps)
     rules.broken({"time.start", "time.scheme"},
                  "the scheme static has no first acceleration, expected consistent or {from: run}");
-  if (is_explicit(time.scheme) && time.start != StartKind::consistent)
-    rules.broken({"time.start", "time.scheme"},
-                 "the scheme central_difference starts from the true equilibrium, expected consistent");
+  if (is_explicit(time.scheme) && time.start == StartKind::at_rest_unloaded)
+    rules.broken(
+        {"time.start", "time.scheme"},
+        "the scheme central_difference starts from the true equilibrium, expected consistent or {from: "
+        "run}");
 }
 
 void check_contact_mass(Rules& rules) {
