@@ -5,6 +5,7 @@ GMSH ?= 0
 PETSC ?= 0
 SHELLS ?= 0
 READERS ?= 0
+CCX ?= 0
 CGX ?= 0
 BROWSER ?= 0
 # The sources of a module compiled as one: half the time from nothing. UNITY=OFF where sources change.
@@ -22,8 +23,8 @@ SOURCES = $(shell find src apps python tests bench -name '*.hpp' -o -name '*.cpp
 help: ## what there is
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1 \2/p' $(MAKEFILE_LIST) | awk '{name = $$1; sub(/^[^ ]* /, ""); printf "make %-12s %s\n", name, $$0}'
 
-deps: ## install what is missing (GMSH=1: libgmsh too; PETSC=1: PETSc for iterative solvers and several processes; SHELLS=1: zsh, fish and man, READERS=1: VTK, meshio and h5py, CGX=1: CalculiX and its GraphiX, BROWSER=1: Chromium, for tests)
-	@GMSH=$(GMSH) PETSC=$(PETSC) SHELLS=$(SHELLS) READERS=$(READERS) CGX=$(CGX) BROWSER=$(BROWSER) cmake/install-dependencies
+deps: ## install what is missing (GMSH=1: libgmsh too; PETSC=1: PETSc for iterative solvers and several processes; SHELLS=1: zsh, fish and man, READERS=1: VTK, meshio and h5py, CCX=1: CalculiX, CGX=1: its GraphiX too, BROWSER=1: Chromium, for tests)
+	@GMSH=$(GMSH) PETSC=$(PETSC) SHELLS=$(SHELLS) READERS=$(READERS) CCX=$(CCX) CGX=$(CGX) BROWSER=$(BROWSER) cmake/install-dependencies
 
 configure:
 	@cmake --preset release -DRUBATO_UNITY=$(UNITY) -DRUBATO_RUNS_ONLY=OFF $(LAUNCHER)
