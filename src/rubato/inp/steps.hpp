@@ -119,6 +119,8 @@ std::pair<double, std::string> value_in(study::Study& study, const Course& cours
 
 /// Forces and displacements of the nodes of pre-tension sections become preloads.
 void add_pretensions(Reading& reading, study::Study& study);
+/// Explicit steps take contact by penalty on the nodes alone; steps beside them have it on the nodes, too.
+void fit_contact(Reading& reading, study::Study& study, const History& history, const Step& step);
 /// Materials get the formulations that the types of their elements have.
 void fit_formulations(Reading& reading, study::Study& study, Places& places);
 /// *CHANGE FRICTION, SURFACE BEHAVIOR, MATERIAL: what the keywords below it complete is looked up by it.
