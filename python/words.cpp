@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // The enumerations of a study, by the words that decks have for them.
-#include "rubato/study/table_words.hpp"
-
 #include "rubato/cell/topology.hpp"
+#include "rubato/study/table_words.hpp"
 
 #include "values.hpp"
 #include <algorithm>

@@ -66,7 +66,7 @@ TEST(FaultsOfTables, SayWhatTheyList) {
   EXPECT_EQ(fault("fields: {tables: [{faces: all, quantities: [SOF]}]}\n"),
             "fields.tables.0.faces: found all faces, expected a group of faces");
   EXPECT_EQ(fault("fields: {tables: [{nodes: all, quantities: [U], every: -1}]}\n"),
-            "fields.tables.0.every: found -1, expected >= 0");
+            "fields.tables.0.every: found '-1', expected a whole number >= 0");
 }
 
 TEST(FaultsOfFields, NameTheNearestField) {
