@@ -130,8 +130,16 @@ private:
     with.formulation = wanted;
     const bool has = study::formulation_of(with, study_.physics, *type.cell) == *wanted;
     const auto obstacle = has ? obstacle_to(*wanted, *type.cell, material, study_) : std::string();
-    if (has && obstacle.empty())
+    if (has && obstacle.empty()) {
+      if (*wanted == Formulation::reduced && study::has_one_point(*type.cell) &&
+          told_.insert(type.name).second)
+        note(
+            reading_, element.at,
+            fmt::format("{} has forces of rubato's own against hourglasses: coarse meshes differ from Abaqus "
+                        "and CalculiX, fine ones agree",
+                        type.name));
       return wanted;
+    }
     if (told_.insert(type.name).second)
       note(reading_, element.at,
            fmt::format("{} has {}, rubato computes it as {} with full integration{}: coarse meshes may be "
