@@ -232,6 +232,11 @@ void read_table(Reading& reading, const Placed& placed, int every, Step& step) {
   step.requests.fields.tables.push_back(*std::move(table));
 }
 
+bool has_own_axes(const Reading& reading) {
+  return std::ranges::any_of(reading.content.layout.blocks,
+                             [](const auto& placed) { return placed.block->is("TRANSFORM"); });
+}
+
 } // namespace
 
 void read_print(Reading& reading, const Placed& placed, Step& step) {
@@ -239,6 +244,10 @@ void read_print(Reading& reading, const Placed& placed, Step& step) {
   if (global != nullptr && compact(global->value.text) == "NO")
     note(reading, placed.block->at,
          "tables have components along the global axes, GLOBAL=NO is not available");
+  else if (global == nullptr && placed.block->is("NODE PRINT") && has_own_axes(reading))
+    note(reading, placed.block->at,
+         "tables have components along the global axes; Abaqus and CalculiX print those of nodes with "
+         "*TRANSFORM along their own ones, as GLOBAL=NO does");
   const auto points = time_points(reading, *placed.block, step);
   step.time.stops.insert(step.time.stops.end(), points.begin(), points.end());
   read_table(reading, placed, every_of(reading, *placed.block, 1), step);
