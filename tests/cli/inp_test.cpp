@@ -32,8 +32,8 @@ TEST(InpFiles, RunEachStepInItsFolderAndSayWhatDiffers) {
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NEAR(last_number(folder / "out/step1/probes.csv"), 0, 1e-6); // z of the reaction
   EXPECT_TRUE(std::filesystem::exists(folder / "out/step2/run.json"));
-  const auto loud = run_program({"run", inp("moved_support"), "-o", "out"}, folder.path());
-  EXPECT_NE(loud.err.find("moved_support.inp:25: C3D8I has incompatible modes"), std::string::npos)
+  const auto loud = run_program({"run", inp("c3d8r"), "-o", "out"}, folder.path());
+  EXPECT_NE(loud.err.find("C3D8R has forces of rubato's own against hourglasses"), std::string::npos)
       << loud.err;
 }
 

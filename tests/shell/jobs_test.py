@@ -37,7 +37,7 @@ probes: {end: {node: tip}}
 
 PRELOAD = "preload: {time: {scheme: static, alpha: ~, step: 0.5, end: 1}}"
 HOPELESS = "newton: {residual: 1e-300, max_iterations: 1}"
-LONG = "time: {end: 1}"  # ten thousand steps
+LONG = "time: {end: 10}"  # a hundred thousand steps
 
 CUBE = """mesh: {generate: [{name: block, box: {from: [0, 0, 0], to: [1, 1, 1]}, divisions: [8, 8, 8],
   sides: {bottom: ground, top: roof}}]}
