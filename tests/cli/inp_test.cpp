@@ -65,7 +65,7 @@ TEST(InpFiles, AreDecksWithTheSameAnswer) {
 TEST(InpFiles, TakeSettingsAndTheChoiceOfRuns) {
   const ScratchFolder folder;
   const auto run = run_program(
-      {"run", inp("two_steps"), "-q", "-o", "out", "--only", "More", "--set", "materials.STEEL.young=1e11"},
+      {"run", inp("two_steps"), "-q", "-o", "out", "--only", "More", "--set", "fields.digits=9"},
       folder.path());
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_TRUE(std::filesystem::exists(folder / "out/Load/run.json")); // which it starts from

@@ -5,7 +5,7 @@
 #include "rubato/core/error.hpp"
 #include "rubato/domain/behaviour.hpp"
 #include "rubato/domain/undeformed.hpp"
-#include "rubato/element/nonlinear/reference_gradients.hpp"
+#include "rubato/element/lower_order.hpp"
 #include "rubato/mesh/names.hpp"
 
 #include <fmt/format.h>

@@ -6,7 +6,7 @@
 #include "rubato/domain/behaviour.hpp"
 #include "rubato/domain/cell_matrices.hpp"
 #include "rubato/element/element.hpp"
-#include "rubato/element/nonlinear/reference_gradients.hpp"
+#include "rubato/element/lower_order.hpp"
 #include "rubato/mesh/names.hpp"
 
 #include <fmt/format.h>

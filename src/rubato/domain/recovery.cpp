@@ -7,7 +7,7 @@
 #include "rubato/domain/balance.hpp"
 #include "rubato/domain/behaviour.hpp"
 #include "rubato/domain/cell_matrices.hpp"
-#include "rubato/element/nonlinear/reference_gradients.hpp"
+#include "rubato/element/lower_order.hpp"
 #include "rubato/linalg/dense_decompositions.hpp"
 #include "rubato/linalg/dense_products.hpp"
 

@@ -65,8 +65,8 @@ struct CellKind {
 /// `reduced` for QUAD4 and HEXA8, `lower_order` for QUAD8 and HEXA20.
 bool is_offered(const CellKind& kind);
 
-/// Points of cell::stiffness_rule; 1 of reduced cells, those of lower_order_rule (nonlinear/
-/// reference_gradients.hpp) of cells of lower order.
+/// Points of cell::stiffness_rule; 1 of reduced cells, those of lower_order_rule (lower_order.hpp) of cells
+/// of lower order.
 int point_count(const CellKind& kind);
 
 /// Unknowns of the cell's own. enhanced: 4 in QUAD4, 9 in HEXA8, there 12 in small strain; mean_dilatation: 2

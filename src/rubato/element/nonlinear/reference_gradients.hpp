@@ -3,12 +3,9 @@
 /// even by zeros: two nodes are one SSE2 register.
 #pragma once
 
-#include "rubato/cell/quadrature.hpp"
-#include "rubato/cell/topology.hpp"
+#include "rubato/element/lower_order.hpp"
 
 #include <Eigen/Core>
-
-#include <span>
 
 namespace rubato::element {
 
@@ -33,12 +30,6 @@ enum class PointRule {
   lower_order, ///< lower_order_rule
   one          ///< one point with the means of the gradients over the volume: QUAD4 and HEXA8
 };
-
-/// QUAD8 and HEXA20.
-bool has_lower_order_rule(CellType type);
-
-/// Gauss points, two in each direction: x changes fastest. Throws std::invalid_argument for other cells.
-std::span<const cell::QuadraturePoint> lower_order_rule(CellType type);
 
 /// Of the points of a rule other than `one`. Throws std::invalid_argument for cells without mechanics, and
 /// for cells without such a rule.

@@ -14,6 +14,8 @@ namespace rubato::mesh::inp {
 namespace {
 
 constexpr std::string_view reduced = "reduced integration";
+constexpr std::string_view two_points = "two points of integration";
+constexpr std::string_view nine_points = "nine points of integration";
 constexpr std::string_view averaged = "averaged volume strain";
 constexpr std::string_view incompatible = "incompatible modes";
 constexpr std::string_view modified = "a modified formulation";
@@ -25,8 +27,8 @@ constexpr std::array types{
     ElementType{"C3D10M", Family::solid, 10, CellType::tetra10, modified},
     ElementType{"C3D10T", Family::solid, 10, CellType::tetra10, modified},
     ElementType{"C3D5", Family::solid, 5, CellType::pyra5},
-    ElementType{"C3D6", Family::solid, 6, CellType::penta6},
-    ElementType{"C3D15", Family::solid, 15, CellType::penta15},
+    ElementType{"C3D6", Family::solid, 6, CellType::penta6, two_points},
+    ElementType{"C3D15", Family::solid, 15, CellType::penta15, nine_points},
     ElementType{"C3D8", Family::solid, 8, CellType::hexa8, averaged},
     ElementType{"C3D8R", Family::solid, 8, CellType::hexa8, reduced, Integration::reduced},
     ElementType{"C3D8I", Family::solid, 8, CellType::hexa8, incompatible, Integration::incompatible},
