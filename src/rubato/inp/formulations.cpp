@@ -58,14 +58,6 @@ bool needs_full(const study::Material& material, const mesh::inp::ElementType& t
          study::wanted_formulation(material) != Formulation::full;
 }
 
-/// The elements of a group of the mesh.
-std::vector<std::int32_t> items_of(const Content& content, const std::string& group) {
-  for (const auto& [key, set] : content.element_sets)
-    if (set.group == group)
-      return set.items;
-  return {};
-}
-
 class Fitter {
 public:
   Fitter(Reading& reading, study::Study& study, Places& places)
@@ -106,7 +98,7 @@ private:
   void add_parts(const study::Material& material, const std::string& group,
                  std::map<std::optional<Formulation>, std::vector<std::string>>& parts) {
     std::map<Integration, std::optional<Formulation>> of_kind;
-    const auto items = items_of(reading_.content, group);
+    const auto items = elements_of_group(reading_, group);
     for (const auto index : items) {
       const auto& element = reading_.content.elements[static_cast<std::size_t>(index)];
       const auto wanted = wanted_for(material, element);

@@ -141,4 +141,12 @@ const Placed* parent_of(Reading& reading, std::size_t index, std::string_view pa
   return nullptr;
 }
 
+std::vector<std::int32_t> elements_of_group(const Reading& reading, const std::string& group) {
+  for (const auto& [label, set] : reading.content.element_sets)
+    if (set.group == group)
+      return set.items;
+  const auto made = reading.content.made_cells.find(group);
+  return made == reading.content.made_cells.end() ? std::vector<std::int32_t>{} : made->second;
+}
+
 } // namespace rubato::inp

@@ -195,6 +195,9 @@ void read_tie(Reading& reading, std::size_t index);
 void read_interaction(Reading& reading, std::size_t index);
 void read_surface_behavior(Reading& reading, std::size_t index);
 void read_friction(Reading& reading, std::size_t index);
+/// Returns the elements of a group of cells, by their places in the content; none of an unknown group.
+std::vector<std::int32_t> elements_of_group(const Reading& reading, const std::string& group);
+
 void read_contact_pair(Reading& reading, std::size_t index);
 void read_clearance(Reading& reading, std::size_t index);
 void read_general_contact(Reading& reading, std::size_t index);

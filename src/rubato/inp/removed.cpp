@@ -16,14 +16,6 @@ namespace {
 /// Part of their stiffness and density that removed elements keep.
 constexpr double left_over = 1e-9;
 
-std::vector<std::int32_t> items_of(const Reading& reading, const std::string& group) {
-  for (const auto& [label, set] : reading.content.element_sets)
-    if (set.group == group)
-      return set.items;
-  const auto made = reading.content.made_cells.find(group);
-  return made == reading.content.made_cells.end() ? std::vector<std::int32_t>{} : made->second;
-}
-
 /// A group of the mesh that is made of two others.
 std::string made_group(Reading& reading, study::GroupKind kind, const std::string& a, const std::string& b) {
   auto& groups = reading.study.mesh.groups;
@@ -50,7 +42,7 @@ struct Split {
 Split split(Reading& reading, const std::vector<std::string>& cells) {
   Split found;
   for (const auto& name : cells)
-    found.kept.push_back({name, items_of(reading, name)});
+    found.kept.push_back({name, elements_of_group(reading, name)});
   for (const auto& gone : reading.removed_elements) {
     const auto before = std::exchange(found.kept, {});
     for (const auto& part : before) {

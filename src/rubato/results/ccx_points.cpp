@@ -3,6 +3,7 @@
 
 #include "rubato/cell/parts.hpp"
 #include "rubato/cell/reference_cell.hpp"
+#include "rubato/cell/rules.hpp"
 #include "rubato/cell/shape_table.hpp"
 #include "rubato/domain/recovery.hpp"
 
@@ -18,38 +19,18 @@ using Eigen::Index;
 using Eigen::Vector3d;
 using Places = std::vector<Vector3d>;
 
-std::vector<double> gauss_line(int points) {
-  if (points == 1)
-    return {0};
-  const double a = points == 2 ? std::sqrt(1.0 / 3) : std::sqrt(0.6);
-  return points == 2 ? std::vector<double>{-a, a} : std::vector<double>{-a, 0, a};
-}
-
-/// The first coordinate runs fastest.
-Places block_of_points(int points, int dimension) {
-  const auto line = gauss_line(points);
-  const auto flat = std::vector<double>{0};
+Places places_in(std::span<const cell::QuadraturePoint> rule) {
   Places places;
-  for (const double z : dimension == 3 ? line : flat)
-    for (const double y : line)
-      for (const double x : line)
-        places.emplace_back(x, y, z);
+  for (const auto& point : rule)
+    places.push_back(point.xi);
   return places;
-}
-
-Places triangle_points(bool quadratic) {
-  constexpr double third = 1.0 / 3;
-  constexpr double sixth = 1.0 / 6;
-  if (!quadratic)
-    return {{third, third, 0}};
-  return {{sixth, sixth, 0}, {4 * sixth, sixth, 0}, {sixth, 4 * sixth, 0}};
 }
 
 Places prism_points(bool quadratic) {
   Places places;
-  for (const double z : gauss_line(quadratic ? 3 : 2))
-    for (const auto& place : triangle_points(quadratic))
-      places.emplace_back(place.x(), place.y(), z);
+  for (const auto& level : cell::gauss_rule(CellType::seg2, quadratic ? 3 : 2))
+    for (const auto& point : cell::gauss_rule(CellType::tria3, quadratic ? 2 : 1))
+      places.emplace_back(point.xi.x(), point.xi.y(), level.xi.x());
   return places;
 }
 
@@ -59,13 +40,6 @@ Places tetra_points(bool quadratic) {
   const double a = (5 - std::sqrt(5.0)) / 20;
   const double b = 1 - 3 * a;
   return {{a, a, a}, {b, a, a}, {a, b, a}, {a, a, b}};
-}
-
-Places own_points(CellType type) {
-  Places places;
-  for (const auto& point : cell::stiffness_rule(type))
-    places.push_back(point.xi);
-  return places;
 }
 
 /// Layers across the plane that the expanded solid has.
@@ -81,24 +55,25 @@ int layers_of(CellType type, bool reduced) {
 Places places_of(CellType type, bool reduced) {
   const auto& shape = cell::topology(type);
   const bool quadratic = shape.order == 2;
-  switch (cell::linear_type(type)) {
+  const auto corners = cell::linear_type(type);
+  switch (corners) {
   case CellType::hexa8:
   case CellType::quad4:
-    return block_of_points(shape.order + (reduced ? 0 : 1), shape.dimension);
+    return places_in(cell::gauss_rule(corners, shape.order + (reduced ? 0 : 1)));
   case CellType::penta6:
     return prism_points(quadratic);
   case CellType::tetra4:
     return tetra_points(quadratic);
   case CellType::tria3:
-    return triangle_points(quadratic);
+    return places_in(cell::gauss_rule(corners, quadratic ? 2 : 1));
   default:
-    return own_points(type);
+    return places_in(cell::stiffness_rule(type));
   }
 }
 
 CcxPoints made_points(CellType type, bool reduced) {
   const auto places = places_of(type, reduced);
-  const auto own = own_points(type);
+  const auto own = places_in(cell::stiffness_rule(type));
   std::vector<cell::QuadraturePoint> rule;
   for (const auto& place : places)
     rule.push_back({place, 1.0});

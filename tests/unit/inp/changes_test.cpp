@@ -17,16 +17,7 @@ constexpr double young = 1000;
 
 /// Two cubes on top of each other that touch; the floor of the lower one and the lid of the upper one are
 /// held.
-const std::string blocks = R"(*NODE, NSET=ALL
- 1, 0, 0, 0
- 2, 1, 0, 0
- 3, 1, 1, 0
- 4, 0, 1, 0
- 5, 0, 0, 1
- 6, 1, 0, 1
- 7, 1, 1, 1
- 8, 0, 1, 1
- 11, 0, 0, 1
+const std::string blocks = "*NODE, NSET=ALL\n" + test::cube_nodes + R"( 11, 0, 0, 1
  12, 1, 0, 1
  13, 1, 1, 1
  14, 0, 1, 1

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "computed.hpp"
+#include "small_files.hpp"
 #include "support/faults.hpp"
 #include "support/scratch_folder.hpp"
 #include <cmath>
@@ -20,16 +21,7 @@ const std::string elastic = "*ELASTIC\n 2.E5, 0.3\n";
 
 /// The cube of 1 x 1 x 1, free to narrow.
 std::string file_of(const std::string& material, const std::string& steps, const std::string& model = "") {
-  return R"(*NODE, NSET=ALL
- 1, 0, 0, 0
- 2, 1, 0, 0
- 3, 1, 1, 0
- 4, 0, 1, 0
- 5, 0, 0, 1
- 6, 1, 0, 1
- 7, 1, 1, 1
- 8, 0, 1, 1
-*NSET, NSET=TOP
+  return "*NODE, NSET=ALL\n" + test::cube_nodes + R"(*NSET, NSET=TOP
  5, 6, 7, 8
 *NSET, NSET=BOTTOM
  1, 2, 3, 4

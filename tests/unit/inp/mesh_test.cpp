@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "computed.hpp"
+#include "small_files.hpp"
 #include "support/faults.hpp"
 #include "support/scratch_folder.hpp"
 #include <map>
@@ -95,16 +96,7 @@ TEST(InpMesh, PutsTheInnerNodesOf27WhereTheyAreInWhateverOrder) {
 }
 
 TEST(InpMesh, HasTheFacesThatLabelsName) {
-  const std::string box = R"(*NODE
- 1, 0, 0, 0
- 2, 1, 0, 0
- 3, 1, 1, 0
- 4, 0, 1, 0
- 5, 0, 0, 1
- 6, 1, 0, 1
- 7, 1, 1, 1
- 8, 0, 1, 1
-)";
+  const std::string box = "*NODE\n" + test::cube_nodes;
   struct Shape {
     const char* element;
     std::vector<std::set<std::int64_t>> faces; ///< S1 to S6

@@ -6,9 +6,8 @@
 
 namespace rubato::test {
 
-/// One cube with all that it needs before a step: 23 lines.
-inline const std::string cube = R"(*NODE, NSET=ALL
- 1, 0, 0, 0
+/// Lines of the nodes 1 to 8 of a cube of side 1, in the order of C3D8.
+inline const std::string cube_nodes = R"( 1, 0, 0, 0
  2, 1, 0, 0
  3, 1, 1, 0
  4, 0, 1, 0
@@ -16,7 +15,10 @@ inline const std::string cube = R"(*NODE, NSET=ALL
  6, 1, 0, 1
  7, 1, 1, 1
  8, 0, 1, 1
-*ELEMENT, TYPE=C3D8R, ELSET=E
+)";
+
+/// One cube with all that it needs before a step: 23 lines.
+inline const std::string cube = "*NODE, NSET=ALL\n" + cube_nodes + R"(*ELEMENT, TYPE=C3D8R, ELSET=E
  1, 1, 2, 3, 4, 5, 6, 7, 8
 *NSET, NSET=ONE
  1
