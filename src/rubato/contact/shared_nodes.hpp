@@ -48,7 +48,7 @@ void join_shared_points(std::span<Zone> zones);
 /// `states`: those of the zones at the end of a step, whose excluded points did nothing.
 void distribute_shared_points(std::span<const Zone> zones, std::span<ZoneState> states);
 
-/// The outcome of all points that a representing point stands for. `outcome`: its own part of that.
+/// The outcome of all points that one point represents. `outcome`: its own part of that.
 PointOutcome whole_outcome(const Zone& zone, std::size_t point, const PointOutcome& outcome);
 
 /// What is tangential to the surface of a point and to those with these normals, unit vectors. Normals within

@@ -60,8 +60,8 @@ struct CellKind {
   HourglassControl hourglass = {}; ///< reduced cells only
 };
 
-/// Whether there is such a cell: `full` for every bulk cell, `mean_dilatation` for all but TRIA3, TETRA4 and
-/// pyramids and not in plane stress, `enhanced` for QUAD4 and HEXA8 with small or Green–Lagrange strain,
+/// Returns whether the kind exists: `full` for every bulk cell, `mean_dilatation` for all but TRIA3, TETRA4
+/// and pyramids and not in plane stress, `enhanced` for QUAD4 and HEXA8 with small or Green–Lagrange strain,
 /// `reduced` for QUAD4 and HEXA8, `lower_order` for QUAD8 and HEXA20.
 bool is_offered(const CellKind& kind);
 

@@ -40,12 +40,12 @@ std::optional<std::int32_t> one_node(Reading& reading, int scope, const Word& wo
 void add_carried(const Reading& reading, std::int32_t reference, const Eigen::Vector3d& place,
                  const Eigen::Vector3d& direction, double factor, Sum& sum);
 
-/// Whether an element that deforms has the node.
+/// Returns whether an element that deforms has the node.
 bool is_of_body(const Reading& reading, std::int32_t node);
 
 /// Parts of a target whose nodes have the same axes; the whole where no node has axes of its own.
 std::vector<Target> with_equal_axes(const Reading& reading, const Target& target);
-/// Whether nothing has the nodes, no element, equation, spring or mass; a note then.
+/// Returns whether no element, equation, spring or mass has the nodes, and adds a note if so.
 bool is_unused(Reading& reading, const Target& target, const Word& at);
 /// The node that has the rotations where the degree of freedom (from 0) is one, and that of the node then.
 void turn_to_rotation(const Reading& reading, Target& target, int& dof);

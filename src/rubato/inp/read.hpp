@@ -34,7 +34,7 @@ struct Input {
   std::vector<study::Study> runs; ///< of each step, at least one; each starts from the end of the one before
   std::vector<Places> places;     ///< of each run
   std::map<std::string, ModesAsked> modes; ///< runs that are natural modes, by name
-  std::vector<std::string> notes;          ///< what whoever runs it should read: what was left out or differs
+  std::vector<std::string> notes;          ///< sentences on what was left out or differs
 };
 
 /// Reads a file and those it includes. Its mesh is that of mesh::read_inp, which the studies name as their

@@ -56,7 +56,7 @@ TableOf place_of_block(const Block& block) {
   return block.is("SECTION PRINT") ? TableOf::faces : TableOf::zones;
 }
 
-/// Whether all nodes of the block are references.
+/// Returns whether all nodes of the block are references.
 bool are_references(const Reading& reading, const Placed& placed, bool of_rotations) {
   const auto* const set = placed.block->find("NSET");
   Faults ignored;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// *HYPERELASTIC, *VISCOELASTIC and *CREEP.
+// Readers of *HYPERELASTIC, *VISCOELASTIC and *CREEP.
 #include "rubato/core/naming.hpp"
 #include "rubato/inp/reading.hpp"
 

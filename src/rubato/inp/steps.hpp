@@ -45,7 +45,7 @@ struct Requests {
   std::vector<study::Probe> probes;
   study::FieldOutput fields;        ///< with the tables
   const Block* of_fields = nullptr; ///< the last request of files of fields
-  std::set<study::TableOf> tables;  ///< of what the step asks for tables or histories
+  std::set<study::TableOf> tables;  ///< the objects that the step has tables or histories of
 };
 
 struct Step {

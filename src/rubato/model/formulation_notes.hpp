@@ -35,9 +35,9 @@ struct CellFindings {
   double slenderness = 0; ///< length over thickness of the first part that bends too stiffly; 0: none does
 };
 
-/// Notes on linear and quadratic cells, integrated in full, whose material keeps its volume (not in plane
-/// stress), on slender parts of few QUAD4 or HEXA8 across, which are too stiff in bending, and on reduced
-/// cells that can deform without stress. Of a model that has its reduction.
+/// Returns notes on the cells of a model that has its reduction. They name fully integrated cells whose
+/// material keeps its volume (not in plane stress). They also name slender parts of few QUAD4 or HEXA8, which
+/// are too stiff in bending, and reduced cells that can deform without stress.
 CellFindings examine_formulations(const Model& model);
 
 } // namespace rubato::model

@@ -23,7 +23,7 @@ std::vector<mesh::NodeIndex> lone_nodes(const study::Study& study, const mesh::M
 /// Gives them unknowns, in the order of the mesh.
 void add_nodes(std::span<const mesh::NodeIndex> nodes, domain::DofMap& dofs);
 
-/// Those of the model that belong neither to a body nor to a rigid surface.
+/// Returns the nodes of the model that belong neither to a body nor to a rigid surface.
 std::vector<mesh::NodeIndex> lone_nodes_of(const Model& model);
 
 /// Faults of lone nodes that can move and have no mass: their accelerations are not determined.

@@ -12,8 +12,8 @@
 
 namespace rubato::results {
 
-/// What CalculiX prints as CDIS and CSTR. The first tangent is the global x axis projected onto the surface,
-/// or the z axis where the normal is within 18 degrees of x; the second is normal × first.
+/// The values that CalculiX prints as CDIS and CSTR. The first tangent is the global x axis projected onto
+/// the surface, or the z axis where the normal is within 18 degrees of x; the second is normal × first.
 struct ContactValues {
   double opening = 0;           ///< gap, < 0 where the bodies overlap [length]
   std::array<double, 2> slip{}; ///< of the slave relative to the master [length]

@@ -21,7 +21,8 @@ CcxNumbers ccx_numbers(const mesh::Mesh& mesh);
 /// Fortran's Ew.d with a leading 0: 0.5000000E+00 of 7 digits.
 std::string fortran_e(double value, int digits);
 
-/// Whether cells of the type have the highest dimension in the mesh: files of results contain only these.
+/// Returns whether cells of the type have the highest dimension in the mesh: files of results contain only
+/// these.
 bool is_shown(const mesh::Mesh& mesh, CellType type);
 
 } // namespace rubato::results

@@ -53,7 +53,7 @@ std::vector<double> in_all_nodes(const model::Model& model, const Eigen::VectorX
   return values;
 }
 
-/// Of several points on one node the one with the largest pressure counts.
+/// A node with several points has the values of the point with the largest pressure.
 FrdBlock contact_block(const model::Model& model, const step::State& now, std::span<const double> pressures,
                        ContactLister& lister) {
   FrdBlock block{

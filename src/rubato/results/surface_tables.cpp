@@ -113,8 +113,8 @@ std::vector<ListedPoint> points_of(const TableSource& source) {
   return points;
 }
 
-/// Of a point on a node its number; of a point on a face the number of the face's cell and side 1, as a face
-/// has a cell of its own.
+/// The line has the number of a point's node. A point on a face has the number of the face's cell and side 1
+/// instead, as a face has a cell of its own.
 void put_point(const TableSource& source, const ListedPoint& listed, std::span<const double> values,
                TableText& text) {
   const auto& zone = source.model.zones[listed.zone];

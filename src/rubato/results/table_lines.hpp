@@ -18,7 +18,7 @@
 
 namespace rubato::results {
 
-/// What the lines of a table are made of.
+/// The source of the lines of a table.
 struct TableSource {
   const model::Model& model;
   const step::State& now;
@@ -66,7 +66,7 @@ inline constexpr std::size_t total_indent = 6;
 
 /// How headings name what a table is of.
 std::string_view label_of(const study::PrintedTable& table);
-/// Whether a quantity with sums lists its lines.
+/// Returns whether a quantity with sums lists its lines.
 bool has_lines(const study::PrintedTable& table);
 bool has_totals(const study::PrintedTable& table);
 bool lists(const study::PrintedTable& table, std::string_view quantity);

@@ -65,8 +65,8 @@ public:
   }
 
 private:
-  /// Of a node without cells in the place of a reference: its motion, or the forces on the nodes that it
-  /// moves.
+  /// The motion of a node without cells in the place of a reference, or the forces on the nodes that the
+  /// reference moves.
   Values of_reference(mesh::NodeIndex node) const {
     const auto& model = source_.model;
     const auto& place = model.mesh.points[static_cast<std::size_t>(node)];

@@ -18,13 +18,12 @@ struct BuriedMaster {
   contact::BuriedNodes nodes;
 };
 
-/// A slave point that was in front of its master, or no deeper behind it than half a face, and lies deeper
-/// than a whole face after the step: it came too far in one step, or its spring is too soft. Results from
-/// there on may be wrong, up to bodies that pass through each other. And a master node that came to lie
-/// behind the slave by more than half of its own edges, and more than the slave's points do behind the
-/// master: the slave's faces are too large to feel it. Said once a run, the latter only where the former was
-/// not. In explicit runs also, once a run, a slave point that comes onto the master from beyond its border
-/// and lies behind it by more than a fiftieth of a face.
+/// Warns of deep overlaps, each kind once a run. A slave point lies deeper than a whole face after a step
+/// before which it lay at most half a face deep: the step was too long, or the spring is too soft. Bodies may
+/// then pass through each other. A master node lies behind the slave by more than half of its own edges, and
+/// deeper than the slave's points behind the master: the slave's faces are too large for it. This warning
+/// comes only without the former. In explicit runs also, once a run, a slave point that comes onto the master
+/// from beyond its border and lies behind it by more than a fiftieth of a face.
 class OverlapWatch {
 public:
   /// Everything must outlive this.

@@ -20,8 +20,8 @@ bool has_constant_stiffness(const Material& material);
 /// change in `full`, and pyramids, which fail the inf-sup condition with one; none in plane stress.
 bool averages_dilatation(CellType type, Physics physics);
 
-/// Whether `reduced` cells of that type have one point and forces against hourglasses, instead of a rule of
-/// lower order.
+/// Returns whether `reduced` cells of the type have one point and forces against hourglasses, instead of a
+/// rule of lower order.
 bool has_one_point(CellType type);
 
 /// What the study says; without a word mean_dilatation of plastic and hyperelastic laws, else full.

@@ -79,7 +79,7 @@ struct Probe {
   bool operator==(const Probe&) const = default;
 };
 
-/// What the lines of a table are of.
+/// The objects that a table has lines of.
 enum class TableOf {
   nodes,
   cells, ///< their Gauss points, or each cell

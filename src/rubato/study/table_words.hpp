@@ -43,7 +43,7 @@ constexpr std::span<const std::string_view> table_words(TableOf of) {
   return {};
 }
 
-/// Whether cells store half of stress times strain: ENER and ELSE are known.
+/// Returns whether cells store half of stress times strain: ENER and ELSE are known.
 inline bool stores_half_of_products(const Study& study) {
   return std::ranges::all_of(study.materials, [](const Material& material) {
     const bool elastic = material.law == LawKind::elastic || material.law == LawKind::orthotropic;
@@ -51,7 +51,7 @@ inline bool stores_half_of_products(const Study& study) {
   });
 }
 
-/// Those of all places.
+/// The words of all places.
 inline std::vector<std::string> all_table_words() {
   std::vector<std::string> words;
   for (const auto& place : table_of_words)

@@ -223,7 +223,7 @@ TEST(ConstraintsOfFiles, DistributeForcesByArea) {
     EXPECT_NEAR(ours.displacement(0, {10, y, 0}, 0), 0.1, 1e-12);
 }
 
-/// Sets in the terms of an equation stand for their nodes one after another.
+/// An equation of sets is one equation for each of their nodes.
 TEST(ConstraintsOfFiles, HaveEquationsOfSets) {
   const auto ours = test::computed_text(bar_with(
       "9999, 20., 0., 0.\n", "*EQUATION\n2\nTIP, 1, 1., 9999, 1, -1.\n", "*BOUNDARY\n9999, 1, 1, 0.1\n"));
@@ -319,7 +319,7 @@ TEST(ConstraintsOfFiles, LeaveOutLinesOfUnusedNodes) {
   }));
 }
 
-/// The same mesh, written number by number.
+/// The generated mesh, written number by number.
 TEST(MeshesOfFiles, AreGenerated) {
   const auto content = mesh::inp::read_content(test::inp_file("points"));
   const auto twin = mesh::inp::parse_content(bar_with("", "", ""), "a.inp");

@@ -17,7 +17,7 @@ using test::Box;
 
 constexpr double young = 1000;
 constexpr double pressure = 10;
-/// What both blocks are shorter by, each 1 high.
+/// The sum of the shortenings of both blocks, each 1 high.
 constexpr double squeezed = 2 * pressure / young;
 
 const std::string of_faces = "*SURFACE, NAME=SLAVE\nEB, S1\n";

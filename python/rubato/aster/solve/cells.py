@@ -55,7 +55,7 @@ def choose_cells(problem: Problem) -> None:
                            f"model asks for {problem.dimension}.")
 
 
-# What _SI makes of cells; all others are integrated in full, as without it.
+# Formulations of cells with _SI, by type; cells of other types are integrated in full, with _SI or without.
 REDUCED = {"quad8": "reduced", "hexa20": "reduced", "quad4": "enhanced", "hexa8": "enhanced"}
 
 

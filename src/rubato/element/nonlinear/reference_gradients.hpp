@@ -31,8 +31,8 @@ enum class PointRule {
   one          ///< one point with the means of the gradients over the volume: QUAD4 and HEXA8
 };
 
-/// Of the points of a rule other than `one`. Throws std::invalid_argument for cells without mechanics, and
-/// for cells without such a rule.
+/// Returns the table of a rule other than `one`. Throws std::invalid_argument for cells without mechanics,
+/// and for cells without such a rule.
 const ReferenceGradients& reference_gradients(CellType type, PointRule rule = PointRule::stiffness);
 
 } // namespace rubato::element

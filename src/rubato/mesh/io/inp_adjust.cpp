@@ -122,7 +122,7 @@ double face_length(const Content& content, const Surface& surface) {
   return surface.faces.empty() ? 0 : sum / static_cast<double>(surface.faces.size());
 }
 
-/// What a keyword says of the nodes that move.
+/// Parameters of a keyword that moves slave nodes.
 struct Adjustment {
   double within = 0;                            ///< largest distance
   bool all = false;                             ///< whatever the distance

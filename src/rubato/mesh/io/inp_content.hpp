@@ -46,17 +46,17 @@ struct Surface {
   std::vector<ElementFace> faces;
   std::vector<NodeIndex> nodes;
   std::string group; ///< of cells, or of nodes
-  /// Of nodes that are slaves of contact: the group of faces of bodies that have them, and the group of nodes
+  /// Slave nodes of contact: the group of faces of bodies that have them, and the group of nodes
   /// of these faces that are not on the surface. Empty: none.
   std::string slave_faces;
   std::string beside;
-  /// Of a pre-tension section: the group of the elements around it, its middle and its normal.
+  /// A pre-tension section: the group of the elements around it, its middle and its normal.
   std::string cut_cells;
   Eigen::Vector3d cut_point = Eigen::Vector3d::Zero();
   Eigen::Vector3d cut_normal = Eigen::Vector3d::Zero();
 };
 
-/// What whoever reads the file should know of a line.
+/// A note on a line of the file.
 struct Remark {
   Word at;
   std::string text;

@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 
 constexpr std::int64_t most_made = 10'000'000;
 
-/// The numbers of a line; a default stands for those that are absent.
+/// The numbers of a line; absent ones have a default.
 class DataLine {
 public:
   DataLine(const Line& line, Faults& faults)

@@ -30,7 +30,7 @@ std::set<NodeIndex> nodes_of_elements(const Content& content) {
   return nodes;
 }
 
-/// Whether the lines of a kinematic coupling have every displacement of the model.
+/// Returns whether the lines of a kinematic coupling have every displacement of the model.
 bool couples_all(const Block& block, std::size_t first_field, int dimension) {
   std::array<bool, 6> held{};
   bool any = false;

@@ -115,7 +115,7 @@ void generate(const Kind& kind, Content& content, int scope, const std::vector<W
   items.insert(items.end(), found.begin(), found.end());
 }
 
-/// Whether the word is a number that no node or element has; a remark of it then.
+/// Returns whether the word is a number that no node or element has, and adds a remark if so.
 bool is_missing_number(const Kind& kind, Content& content, int scope, const Word& word) {
   const auto number = integer_in(word.text);
   if (!number || (content.*kind.numbers)[static_cast<std::size_t>(scope)].contains(*number))
