@@ -132,6 +132,11 @@ template <> const WordList& words_of<study::ClampedNormal>() {
                                   study::clamped_normal_words);
   return list;
 }
+template <> const WordList& words_of<study::ExponentialCurve>() {
+  static const auto list =
+      listed("ExponentialCurve", "Whose law exponential pressures follow.", study::exponential_curve_words);
+  return list;
+}
 template <> const WordList& words_of<study::ObstacleKind>() {
   static const auto list = listed("ObstacleKind", "The shape of an obstacle.", study::obstacle_words);
   return list;
@@ -220,7 +225,8 @@ std::vector<const WordList*> all_words() {
           &words_of<ProbeField>(),     &words_of<ProbeTake>(),
           &words_of<ProbePlace>(),     &words_of<CheckedTime>(),
           &words_of<CheckSource>(),    &words_of<TableOf>(),
-          &words_of<TableTotals>(),    &words_of<Axis>()};
+          &words_of<TableTotals>(),    &words_of<Axis>(),
+          &words_of<ExponentialCurve>()};
 }
 
 } // namespace rubato::python

@@ -47,7 +47,9 @@ Rule gauss_rule(CellType type, int n) {
   case CellType::hexa8:
     return cube_rule(n);
   case CellType::tria3:
-    return n <= 4 ? triangle_of_degree(n == 1 ? 1 : 2 * n - 2) : collapsed_triangle_rule(n);
+    return triangle_rule(n);
+  case CellType::penta6:
+    return prism_rule(triangle_rule(n - 1), n);
   default:
     throw std::invalid_argument("no Gauss points a direction on cells of type " +
                                 std::string(cell::topology(type).name));

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 namespace rubato::cell {
 namespace {
@@ -200,6 +201,16 @@ Rule triangle_of_degree(int degree) {
   return collapsed_triangle_rule(degree / 2 + 1 + degree % 2);
 }
 
+Rule triangle_rule(int n) {
+  if (n < 1)
+    throw std::invalid_argument("a Gauss rule needs at least one point in a triangle");
+  return n <= 4 ? triangle_of_degree(n == 1 ? 1 : 2 * n - 2) : collapsed_triangle_rule(n);
+}
+
+Rule prism_rule(const Rule& triangle, int n) {
+  return extruded(triangle, line_rule(n), 2);
+}
+
 Rule tetrahedron_of_degree(int degree) {
   if (degree <= 1)
     return {{Vector3d::Constant(0.25), 1. / 6}};
@@ -231,7 +242,7 @@ Rule pyramid_of_degree(int degree) {
 }
 
 Rule prism_of_degree(int degree) {
-  return extruded(triangle_of_degree(degree), line_rule(line_points(degree)), 2);
+  return prism_rule(triangle_of_degree(degree), line_points(degree));
 }
 
 Rule hexahedron_of_degree(int degree) {

@@ -16,6 +16,10 @@ Rule square_rule(int n);
 Rule cube_rule(int n);
 /// n×n points, exact to degree 2n−2: one degree is spent on the Jacobian of the collapsed square.
 Rule collapsed_triangle_rule(int n);
+/// Those of gauss_rule.
+Rule triangle_rule(int n);
+/// The points of a triangle on n levels along the axis.
+Rule prism_rule(const Rule& triangle, int n);
 
 /// Rules as of rule_of_degree: what the row of a cell (reference_cell.hpp) names.
 Rule segment_of_degree(int degree);

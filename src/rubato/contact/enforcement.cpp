@@ -301,8 +301,7 @@ PointLaw ZoneLaw::of_point(std::size_t index) const {
                tolerances.closing_gap * zone->edge(),
                zone->space_dimension - 1,
                std::nullopt};
-  law.exponential = {.pressure = zone->settings.pressure.value_or(0),
-                     .clearance = zone->settings.clearance.value_or(0)};
+  law.exponential = exponential::numbers_of(zone->settings);
   if (!frozen_friction_pressures.empty())
     law.frozen_friction_pressure = frozen_friction_pressures[index];
   law.tied = zone->settings.tie;

@@ -32,7 +32,7 @@ Kinematics with_frozen_frame(Kinematics k) {
   k.d_normal.setZero(3, unknowns);
   for (auto& variation : k.d_tangent)
     variation.setZero(3, unknowns);
-  k.d_slave_normal.resize(3, 0);
+  k.d_given_normal.resize(3, 0);
   k.shape_slope.setZero(k.stencil.weights.size(), 2);
   k.d_gap.resize(unknowns);
   k.d_slip.setZero(2, unknowns);

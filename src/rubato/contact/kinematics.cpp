@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/kinematics.hpp"
 
+#include "rubato/contact/averaged_normal.hpp"
+#include "rubato/contact/given_normal.hpp"
+#include "rubato/contact/motion_rows.hpp"
 #include "rubato/contact/obstacle_kinematics.hpp"
-#include "rubato/contact/slave_normal.hpp"
 #include "rubato/contact/small_vectors.hpp"
 
 #include <algorithm>
@@ -18,16 +20,16 @@ using Eigen::Vector3d;
 /// Builds one point's kinematics step by step; lives only as long as evaluate_kinematics.
 ///
 /// Derivatives are taken with respect to the point's few motions first (see the header), in this order: e,
-/// m_a of the clamped place; the same of the free place unless both places agree; δn_s when the slave turns
-/// the normal. Loops over motions have bounds of run time: only the dimension is worth instructions of its
-/// own.
+/// m_a of the clamped place; the same of the free place unless both places agree; δ(n_s − n_m) when these
+/// give the normal. Loops over motions have bounds of run time: only the dimension is worth instructions of
+/// its own.
 template <int Dimension> class Evaluation {
 public:
   Evaluation(const Zone& zone, const SlavePoint& point, const Pair& pair, const Configuration& configuration,
              Kinematics& out)
       : zone_(zone), point_(point), projection_(pair.projection), configuration_(configuration),
-        face_(zone.master.faces[static_cast<std::size_t>(pair.master_face)]), out_(out),
-        inside_(pair.projection.inside()), turned_(zone.settings.normal != study::ContactNormal::master),
+        face_index_(pair.master_face), face_(zone.master.faces[static_cast<std::size_t>(pair.master_face)]),
+        out_(out), inside_(pair.projection.inside()), turned_(gives_normal(zone.settings)),
         slave_count_(static_cast<Index>(point.nodes.size())), coordinates_(deformed(face_, configuration)),
         clamped_(face_geometry(face_.type, coordinates_, projection_.clamped)),
         slave_position_(position(point, configuration)) {
@@ -44,7 +46,7 @@ public:
     collect_nodes();
     set_master_frame();
     if (turned_)
-      set_turned_frame(slave_normal(zone_, point_, configuration_));
+      set_turned_frame(given());
     measure_gap();
     measure_slip();
   }
@@ -61,20 +63,19 @@ public:
     set_master_frame();
     vary_frame();
     if (turned_)
-      turn_to_slave();
+      turn_as_given();
     vary_gap();
     vary_slip();
     expand();
   }
 
 private:
-  static constexpr int components = Dimension + 1;
-  static constexpr int place_motions = 1 + Dimension;
-  /// The components of each motion, and a zero where their number is odd: compilers make vector instructions
-  /// of loops over even numbers.
-  static constexpr std::size_t width = Dimension == 2 ? 4 : 2;
-  using Motion = std::array<double, width>;
-  using Row = std::array<Motion, 2 * place_motions + 1>;
+  using Rows = MotionRows<Dimension>;
+  using Motion = typename Rows::Motion;
+  using Row = typename Rows::Row;
+  static constexpr int components = Rows::components;
+  static constexpr int place_motions = Rows::place_motions;
+  static constexpr std::size_t width = Rows::width;
   /// Rows of what all derivatives are made of. In the plane τ₂ does not turn: α = γ = 0.
   static constexpr int xi = 0;
   static constexpr int beta = Dimension;
@@ -84,27 +85,15 @@ private:
   /// The entries of one node, by row and component.
   using Block = std::array<Motion, row_count>;
 
-  /// Where the motions of the free place and δn_s stand among all.
+  /// Where the motions of the free place and δ(n_s − n_m) stand among all.
   int free_start() const { return inside_ ? 0 : place_motions; }
   int turning() const { return free_start() + place_motions; }
   int motion_count() const { return turning() + (turned_ ? 1 : 0); }
 
-  void clear(Row& row) const {
-    for (int m = 0; m < motion_count(); ++m)
-      row[static_cast<std::size_t>(m)].fill(0);
-  }
-  void add(double factor, const Row& row, Row& to) const {
-    for (std::size_t m = 0; m < static_cast<std::size_t>(motion_count()); ++m)
-      add(factor, row[m], to[m]);
-  }
-  static void add(double factor, const Vector3d& v, Motion& to) {
-    for (std::size_t c = 0; c < components; ++c)
-      to[c] += factor * v[static_cast<Index>(c)];
-  }
-  static void add(double factor, const Motion& motion, Motion& to) {
-    for (std::size_t c = 0; c < width; ++c)
-      to[c] += factor * motion[c];
-  }
+  void clear(Row& row) const { Rows::clear(motion_count(), row); }
+  void add(double factor, const Row& row, Row& to) const { Rows::add(motion_count(), factor, row, to); }
+  static void add(double factor, const Vector3d& v, Motion& to) { Rows::add(factor, v, to); }
+  static void add(double factor, const Motion& motion, Motion& to) { Rows::add(factor, motion, to); }
   static Motion& motion(Row& row, int which) { return row[static_cast<std::size_t>(which)]; }
   static const Motion& motion(const Row& row, int which) { return row[static_cast<std::size_t>(which)]; }
   Row& row(int which) { return rows_[static_cast<std::size_t>(which)]; }
@@ -113,12 +102,16 @@ private:
   void collect_nodes() {
     out_.stencil.components = components;
     out_.parametric_dimension = Dimension;
-    const auto count = slave_count_ + face_.node_count;
-    out_.stencil.nodes.resize(static_cast<std::size_t>(count));
+    const auto own = slave_count_ + face_.node_count;
+    out_.stencil.nodes.resize(static_cast<std::size_t>(own));
     const auto nodes = face_.node_span();
     std::copy(nodes.begin(), nodes.end(),
               std::copy(point_.nodes.begin(), point_.nodes.end(), out_.stencil.nodes.begin()));
+    if (averages_master(zone_.settings))
+      append_ring(zone_.master, face_index_, point_.nodes.size(), out_.stencil.nodes);
+    const auto count = static_cast<Index>(out_.stencil.nodes.size());
     out_.stencil.weights.resize(count);
+    out_.stencil.weights.tail(count - own).setZero();
     for (Index i = 0; i < slave_count_; ++i)
       out_.stencil.weights[i] = point_.shape[static_cast<std::size_t>(i)];
     const auto values = face_values(face_.type, projection_.clamped);
@@ -131,11 +124,7 @@ private:
     out_.shape_slope.setZero(out_.stencil.weights.size(), 2);
     for (Index j = 0; j < face_.node_count; ++j)
       for (int a = 0; a < Dimension; ++a)
-        out_.shape_slope(slave_count_ + j, a) = -gradient(shape, j, a);
-  }
-
-  static double gradient(const FaceShape& shape, Index node, int direction) {
-    return shape.gradients[static_cast<std::size_t>(node * Dimension + direction)];
+        out_.shape_slope(slave_count_ + j, a) = -shape.gradient(j, a, Dimension);
   }
 
   void collect_free_weights() {
@@ -144,7 +133,7 @@ private:
       auto& weights = free_weights_[static_cast<std::size_t>(j)];
       weights[0] = -shape.values[static_cast<std::size_t>(j)];
       for (int a = 0; a < Dimension; ++a)
-        weights[static_cast<std::size_t>(1 + a)] = gradient(shape, j, a);
+        weights[static_cast<std::size_t>(1 + a)] = shape.gradient(j, a, Dimension);
     }
   }
 
@@ -238,10 +227,7 @@ private:
   }
 
   void set_row(int which, double factor, const Row& from) {
-    auto& to = row(which);
-    for (std::size_t m = 0; m < static_cast<std::size_t>(motion_count()); ++m)
-      for (std::size_t c = 0; c < width; ++c)
-        to[m][c] = factor * from[m][c];
+    Rows::assign(motion_count(), factor, from, row(which));
   }
 
   const FaceGeometry& free() const { return inside_ ? clamped_ : *free_; }
@@ -257,27 +243,33 @@ private:
     }
   }
 
-  bool averages() const { return zone_.settings.normal == study::ContactNormal::average; }
+  GivenNormal given() const {
+    return given_normal(zone_, point_, face_index_, projection_.clamped, configuration_);
+  }
 
-  /// From the master's frame to one with the normal −n_s or n − n_s, made a unit. τ₁ keeps the master's first
-  /// direction as far as the turned normal allows. Returns the normal's length before.
-  double set_turned_frame(const Vector3d& slave) {
-    const Vector3d direction = difference_of(averages() ? normal() : Vector3d(0, 0, 0), slave);
+  /// From the master's frame to one with the given normal. τ₁ keeps the master's first direction as far as
+  /// the normal allows. Returns the length of what the normal is the unit of.
+  double set_turned_frame(const GivenNormal& given) {
+    const Vector3d direction = given.adds_face ? sum_of(normal(), given.sum) : given.sum;
     const Vector3d turned = unit_of(direction);
     set_frame(turned, unit_of(part_across(turned, tangent(0))));
     return length_of(direction);
   }
 
-  void turn_to_slave() {
+  void turn_as_given() {
     const Vector3d n = normal(), t1 = tangent(0), t2 = tangent(1);
     const auto master = rows_;
-    vary_slave_normal(zone_, point_, configuration_, out_.d_slave_normal);
-    const double length = set_turned_frame(slave_normal(zone_, point_, configuration_));
+    vary_given_normal(zone_, point_, face_index_, projection_.clamped, configuration_, out_.stencil.nodes,
+                      out_.d_given_normal);
+    const auto of_point = given();
+    const double length = set_turned_frame(of_point);
     const auto against_normal = [&](const Vector3d& v, int which) { // −v·dn
       Row sum;
       clear(sum);
       add(1, v, motion(sum, turning()));
-      if (averages()) {
+      for (std::size_t a = 0; a < Dimension; ++a)
+        add(-dot(v, of_point.by_place[a]), rows_[a], sum);
+      if (of_point.adds_face) {
         add(dot(v, t1), master[beta], sum);
         if constexpr (Dimension == 2)
           add(dot(v, t2), master[gamma], sum);
@@ -352,26 +344,36 @@ private:
       variation.resize(3, unknowns);
     out_.d_gap.resize(unknowns);
     out_.d_slip.resize(2, unknowns);
-    for (Index i = 0; i < slave_count_; ++i)
-      write(i, of_slave_node(i));
-    for (Index j = 0; j < face_.node_count; ++j)
-      write(slave_count_ + j, of_master_node(j));
+    for (Index i = 0; i < out_.stencil.weights.size(); ++i) {
+      auto block = of_node(i);
+      if (turned_)
+        add_turning(i, block);
+      write(i, block);
+    }
+  }
+
+  /// Without what the node adds by the given normal.
+  Block of_node(Index node) const {
+    if (node < slave_count_)
+      return of_slave_node(node);
+    return node < slave_count_ + face_.node_count ? of_master_node(node - slave_count_) : Block{};
   }
 
   Block of_slave_node(Index node) const {
     const double weight = out_.stencil.weights[node];
     Block block;
-    for (std::size_t k = 0; k < row_count; ++k) {
+    for (std::size_t k = 0; k < row_count; ++k)
       for (std::size_t c = 0; c < width; ++c)
         block[k][c] = weight * (inside_ ? rows_[k][0][c] : rows_[k][0][c] + rows_[k][place_motions][c]);
-      if (!turned_)
-        continue;
+    return block;
+  }
+
+  void add_turning(Index node, Block& block) const {
+    for (std::size_t k = 0; k < row_count; ++k)
       for (int d = 0; d < components; ++d)
         for (int c = 0; c < components; ++c)
           block[k][static_cast<std::size_t>(c)] += motion(rows_[k], turning())[static_cast<std::size_t>(d)] *
-                                                   out_.d_slave_normal(d, node * components + c);
-    }
-    return block;
+                                                   out_.d_given_normal(d, node * components + c);
   }
 
   Block of_master_node(Index of_face) const {
@@ -429,10 +431,11 @@ private:
   const SlavePoint& point_;
   const Projection& projection_;
   const Configuration& configuration_;
+  int face_index_;
   const Face& face_;
   Kinematics& out_;
   bool inside_; ///< the free place is the clamped one
-  bool turned_; ///< the slave turns the normal
+  bool turned_; ///< the normal is not the face's alone
   Index slave_count_;
   FaceCoordinates coordinates_;
   FaceGeometry clamped_;

@@ -13,7 +13,8 @@
 /// Whatever the face, all of these depend linearly on a few motions of the point only, which is how they are
 /// computed:
 ///   e = δx_s − Σ N_j(ξ̄) δu_j,   m_a = Σ N_j,a(ξ̄) δu_j
-/// where the projection is clamped, the same two at ξ, and where the slave turns the normal, its δn_s. The
+/// where the projection is clamped, the same two at ξ, and where the slave or averages at nodes
+/// (averaged_normal.hpp) turn the normal, how they do. The
 /// frame stays orthonormal, so that three numbers say how it turns:
 ///   dτ₁ = α τ₂ + β n,   dτ₂ = −α τ₁ + γ n,   dn = −β τ₁ − γ τ₂
 #pragma once
@@ -57,8 +58,9 @@ struct Kinematics {
   std::array<Variation<3>, 2> d_tangent;
   Variation<1> d_gap;
   Variation<2> d_slip;
-  /// δn_s over the slave nodes' part of q, where normals are the slave's or averages; else unused.
-  Variation<3> d_slave_normal;
+  /// Of normals that the slave or averages at nodes give: how these turn the other way, δn_s − δn_m over q
+  /// at a place that does not move; of faces' normals over the slave nodes' part of q alone. Else unused.
+  Variation<3> d_given_normal;
   /// −∂N_j/∂ξ_b(ξ̄) on master nodes, 0 on slave nodes: the weights' own change is shape_slope · dξ̄.
   Eigen::Matrix<double, Eigen::Dynamic, 2> shape_slope;
 

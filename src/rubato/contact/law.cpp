@@ -218,7 +218,7 @@ bool compresses_spring(const PointState& point, const PointLaw& law) {
 }
 
 bool is_within_clearance(const PointState& point, const PointLaw& law) {
-  return point.gap + law.gap_tolerance < law.exponential.clearance;
+  return point.gap + law.gap_tolerance < exponential::reach(law.exponential);
 }
 
 bool presses(const PointState& point, const PointLaw& law) {
@@ -287,10 +287,10 @@ SpringLine tangent_of_exponential(const PointState& point, const PointLaw& law) 
   return {.rest_gap = now + exponential::pressure(now, numbers) / stiffness, .stiffness = stiffness};
 }
 double exponential_energy(double now, const study::ContactZone& zone) {
-  return exponential::energy_length(now, zone.clearance.value_or(0));
+  return exponential::energy_length(now, exponential::numbers_of(zone));
 }
-double at_clearance(const study::ContactZone& zone) {
-  return zone.clearance.value_or(0);
+double at_reach(const study::ContactZone& zone) {
+  return exponential::reach(exponential::numbers_of(zone));
 }
 
 double product(double value, double multiple) {
@@ -369,7 +369,7 @@ constexpr NormalLaw by_exponential{.method = ContactMethod::exponential,
                                    .stiffness = &exponential_stiffness,
                                    .line = &tangent_of_exponential,
                                    .energy_length = &exponential_energy,
-                                   .reach = &at_clearance};
+                                   .reach = &at_reach};
 
 /// In the order of the methods.
 constexpr std::array<NormalLaw, 6> normal_laws{

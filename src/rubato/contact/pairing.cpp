@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/pairing.hpp"
 
+#include "rubato/cell/reference_nodes.hpp"
 #include "rubato/cell/topology.hpp"
 #include "rubato/contact/point_tree.hpp"
 #include "rubato/contact/small_vectors.hpp"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rubato::contact {
 namespace {
@@ -79,16 +81,41 @@ double reference_length(CellType type) {
   return cell::topology(type).corner_count == 3 ? 1 : 2;
 }
 
+/// Moves the clamped place to the node of the face that is nearest to the point, where it stays.
+void move_to_node(CellType type, const FaceCoordinates& nodes, const Vector3d& point,
+                  Projection& projection) {
+  int nearest = 0;
+  double least = INFINITY;
+  for (int node = 0; node < cell::topology(type).node_count; ++node) {
+    const double distance = length_of(difference_of(point, column_of(nodes, node)));
+    // The first node counts if several are equally near, regardless of rounding.
+    if (distance < (1 - rounding) * least) {
+      nearest = node;
+      least = distance;
+    }
+  }
+  const Vector3d xi = cell::reference_node(type, nearest);
+  projection.clamped = {xi[0], xi[1]};
+  projection.clamp_derivative.setZero();
+  // A projection inside would move the place with the point.
+  projection.overshoot = std::max(projection.overshoot, std::numeric_limits<double>::min());
+}
+
 /// Unpaired where there is no face, or the projection lies too far outside it.
-Pair pair_of(const Zone& zone, const Candidate& best) {
+Pair pair_of(const Zone& zone, const Candidate& best, const Vector3d& point,
+             std::span<const Vector3d> master) {
   if (best.face < 0)
     return {};
-  const auto type = zone.master.faces[static_cast<std::size_t>(best.face)].type;
+  const auto& face = zone.master.faces[static_cast<std::size_t>(best.face)];
+  const auto type = face.type;
   const double allowed =
       zone.settings.projection_tolerance.value_or(tolerances.paired_overshoot * reference_length(type));
   if (!(best.projection.overshoot <= allowed))
     return {};
-  return {best.face, best.projection};
+  Pair pair{best.face, best.projection};
+  if (zone.settings.nodal_pairs)
+    move_to_node(type, values_of(face, master), point, pair.projection);
+  return pair;
 }
 
 } // namespace
@@ -103,7 +130,7 @@ Pair pair_around(const Zone& zone, std::size_t node, const Vector3d& x, std::spa
   for (const int face : faces)
     if (!guessed || face != guess)
       consider(zone, face, x, master, best);
-  return pair_of(zone, best);
+  return pair_of(zone, best, x, master);
 }
 
 Pair pair_among(const Zone& zone, std::span<const int> faces, const Vector3d& x,
@@ -111,12 +138,16 @@ Pair pair_among(const Zone& zone, std::span<const int> faces, const Vector3d& x,
   Candidate best;
   for (const int face : faces)
     consider(zone, face, x, master, best);
-  return pair_of(zone, best);
+  return pair_of(zone, best, x, master);
 }
 
 Pair pair_on(const Zone& zone, int face, const Vector3d& x, std::span<const Vector3d> master) {
   const auto& of_zone = zone.master.faces[static_cast<std::size_t>(face)];
-  return {face, project(of_zone.type, values_of(of_zone, master), x)};
+  const auto nodes = values_of(of_zone, master);
+  Pair pair{face, project(of_zone.type, nodes, x)};
+  if (zone.settings.nodal_pairs)
+    move_to_node(of_zone.type, nodes, x, pair.projection);
+  return pair;
 }
 
 FaceCoordinates deformed(const Face& face, const Configuration& configuration) {

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cstddef>
 
 namespace rubato::contact {
 
@@ -19,6 +20,10 @@ struct FaceShape {
   std::array<double, 9> values;
   std::array<double, 18> gradients; ///< ∂N_i/∂ξ_a at i · dimension + a
   std::array<double, 36> hessians;  ///< ∂²N_i/∂ξ_a∂ξ_b at (i · dimension + a) · dimension + b
+
+  double gradient(Eigen::Index node, int direction, int dimension) const {
+    return gradients[static_cast<std::size_t>(node * dimension + direction)];
+  }
 };
 
 FaceShape face_shape(CellType type, const Eigen::Vector2d& xi);

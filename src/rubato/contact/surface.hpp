@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -37,7 +38,9 @@ struct Surface {
   std::vector<mesh::NodeIndex> nodes;          ///< ascending, without repeats
   std::vector<std::vector<int>> faces_of_node; ///< by position in `nodes`
   std::vector<std::uint8_t> at_edge;           ///< by position: whether the surface ends there (kinks.hpp)
-  double shortest_edge = 0;                    ///< between corners, undeformed [length]
+  /// Of a surface whose normals are averaged: the smooth part of each face (sharp_edges.hpp). Else empty.
+  std::vector<std::size_t> smooth_part;
+  double shortest_edge = 0; ///< between corners, undeformed [length]
   double longest_edge = 0;
 
   /// Position of a mesh node in `nodes`, or −1.

@@ -2,6 +2,7 @@
 #include "rubato/contact/zone.hpp"
 
 #include "rubato/cell/reference_cell.hpp"
+#include "rubato/contact/averaged_normal.hpp"
 #include "rubato/contact/integration.hpp"
 #include "rubato/contact/law.hpp"
 #include "rubato/contact/mortar/frames.hpp"
@@ -121,13 +122,15 @@ bool is_excluded(std::span<const NodeIndex> excluded, NodeIndex node) {
 }
 
 /// Nodes that turn the slave's normal are taken along with shape value 0.
-void add_turning_nodes(const Surface& slave, SlavePoint& point) {
-  for (const auto& place : point.stands_on)
+void add_turning_nodes(const Surface& slave, bool averaged, SlavePoint& point) {
+  for (const auto& place : point.stands_on) {
+    if (averaged)
+      append_ring(slave, place.face, 0, point.nodes);
     for (const auto node : slave.faces[static_cast<std::size_t>(place.face)].node_span())
-      if (std::find(point.nodes.begin(), point.nodes.end(), node) == point.nodes.end()) {
+      if (std::find(point.nodes.begin(), point.nodes.end(), node) == point.nodes.end())
         point.nodes.push_back(node);
-        point.shape.push_back(0.0);
-      }
+  }
+  point.shape.resize(point.nodes.size(), 0.0);
 }
 
 SlavePoint point_on_node(int position, NodeIndex node) {
@@ -246,9 +249,13 @@ Zone make_zone(const mesh::Mesh& mesh, const study::ContactZone& settings, Surfa
     point.weight = rule.unit_weights ? 1.0 : point.area;
     point.place = undeformed_place(mesh, point);
   }
+  if (settings.smoothing) {
+    zone.master.smooth_part = smooth_parts(zone.master, undeformed_places(mesh, zone.master));
+    zone.slave.smooth_part = smooth_parts(zone.slave, undeformed_places(mesh, zone.slave));
+  }
   if (settings.normal != study::ContactNormal::master)
     for (auto& point : zone.points)
-      add_turning_nodes(zone.slave, point);
+      add_turning_nodes(zone.slave, settings.smoothing, point);
   return zone;
 }
 

@@ -54,6 +54,11 @@ void read_coefficients(const Found& value, bool known, study::ContactZone& zone)
   else
     pass_numbers(map, study::contact_methods);
   read(map.find("tangential"), zone.tangential_coefficient);
+  if (known && zone.method != study::ContactMethod::exponential)
+    map.refuse("curve", fmt::format("{} has no curve of pressures, exponential has one",
+                                    study::entry_of(zone.method).name));
+  else
+    read(map.find("curve"), zone.curve, study::exponential_curve_words);
   map.finish();
 }
 
@@ -122,6 +127,7 @@ void read_surfaces(MapReader& map, const Context& context, study::ContactZone& z
 
 void read_normals(MapReader& map, study::ContactZone& zone) {
   read(map.find("normal"), zone.normal, study::contact_normal_words);
+  read(map.find("smoothing"), zone.smoothing);
   if (zone.obstacle)
     map.refuse("clamped_normal", "no projection on an obstacle is ever clamped");
   else
@@ -143,6 +149,7 @@ void read_touching(MapReader& map, const Context& context, bool known_method, st
   read_normals(map, zone);
   read(map.find("bilateral"), zone.bilateral);
   read(map.find("freeze"), zone.freeze);
+  read(map.find("nodal_pairs"), zone.nodal_pairs);
   read(map.find("initially_active"), zone.initially_active);
   read_coefficients(map.find("coefficients"), known_method, zone);
   read_iterations(map.find("iterate"), zone);
@@ -152,8 +159,9 @@ void read_touching(MapReader& map, const Context& context, bool known_method, st
 /// The keys of read_touching, but for friction, which a rule is about.
 void refuse_touching(MapReader& map, const Context& context, study::ContactZone& zone) {
   read_coefficient(map, context, zone);
-  for (const auto* key : {"friction_method", "interference", "gap", "normal", "clamped_normal", "bilateral",
-                          "freeze", "initially_active", "coefficients", "iterate", "restitution"})
+  for (const auto* key :
+       {"friction_method", "interference", "gap", "normal", "clamped_normal", "smoothing", "bilateral", "freeze",
+        "nodal_pairs", "initially_active", "coefficients", "iterate", "restitution"})
     map.refuse(key, "surfaces that are tied (tie: true) neither touch nor part nor slide");
 }
 

@@ -79,13 +79,11 @@ void multiply(const Eigen::SparseMatrix<double, Eigen::RowMajor, int>& matrix, c
 
 /// Shape functions at the points at which the cell evaluates its law.
 const MatrixXd& shapes_of(const Bulk& bulk, std::size_t cell, CellType type) {
-  static const auto quad8 = cell::tabulate(CellType::quad8, element::lower_order_rule(CellType::quad8));
-  static const auto hexa20 = cell::tabulate(CellType::hexa20, element::lower_order_rule(CellType::hexa20));
   const auto* behaviour = bulk.behaviour(cell);
   if (behaviour == nullptr ||
       kind_of(bulk, *behaviour, type).formulation != element::Formulation::lower_order)
     return cell::stiffness_table(type).values;
-  return type == CellType::quad8 ? quad8.values : hexa20.values;
+  return element::lower_order_table(type).values;
 }
 
 } // namespace

@@ -42,11 +42,15 @@ MatrixXd extrapolation_of(const cell::ReferenceCell& cell) {
 
 /// From the points of element::lower_order_rule to those of cell::stiffness_rule.
 const MatrixXd& from_lower_order(CellType type) {
-  const auto of = [](CellType one) {
-    return fit(one, element::lower_order_rule(one), cell::stiffness_rule(one));
-  };
-  static const MatrixXd quad8 = of(CellType::quad8), hexa20 = of(CellType::hexa20);
-  return type == CellType::quad8 ? quad8 : hexa20;
+  static const auto all = [] {
+    std::array<MatrixXd, cell_type_count> table;
+    for (const auto& cell : cell::all_topologies())
+      if (element::has_lower_order_rule(cell.type))
+        table[static_cast<std::size_t>(cell.type)] =
+            fit(cell.type, element::lower_order_rule(cell.type), cell::stiffness_rule(cell.type));
+    return table;
+  }();
+  return all[static_cast<std::size_t>(type)];
 }
 
 /// A Bᵀ, A with few rows.

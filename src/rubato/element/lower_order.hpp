@@ -3,16 +3,21 @@
 #pragma once
 
 #include "rubato/cell/quadrature.hpp"
+#include "rubato/cell/shape_table.hpp"
 #include "rubato/cell/topology.hpp"
 
 #include <span>
 
 namespace rubato::element {
 
-/// QUAD8 and HEXA20.
+/// QUAD8, HEXA20, PENTA6 and PENTA15.
 bool has_lower_order_rule(CellType type);
 
-/// Gauss points, two in each direction: x changes fastest. Throws std::invalid_argument for other cells.
+/// Gauss points: two in each direction, x changes fastest; of prisms 1 × 2 and 3 × 3, those of the triangle
+/// change fastest. Throws std::invalid_argument for other cells.
 std::span<const cell::QuadraturePoint> lower_order_rule(CellType type);
+
+/// Shape functions at these points.
+const cell::ShapeTable& lower_order_table(CellType type);
 
 } // namespace rubato::element

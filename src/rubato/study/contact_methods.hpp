@@ -239,8 +239,8 @@ constexpr FrictionMethod usual_friction_method(ContactMethod method) {
 /// methods, explicit steps and where the surface of the normal is chosen. Ties take mortar in any case.
 constexpr ContactRule usual_integration(const ContactZone& zone, SchemeKind scheme) {
   const auto& mortar = entry_of(ContactIntegration::mortar);
-  const bool own_normal =
-      zone.normal != ContactNormal::master || zone.clamped_normal != ClampedNormal::projection;
+  const bool own_normal = zone.normal != ContactNormal::master ||
+                          zone.clamped_normal != ClampedNormal::projection || zone.smoothing;
   const bool possible = entry_of(zone.method).between_nodes &&
                         (mortar.explicit_steps || !is_explicit(scheme)) &&
                         (mortar.chooses_normal || !own_normal);

@@ -321,13 +321,17 @@ void put_touching(Json& map, const ContactZone& zone) {
   map["interference"] = echo_varying(zone.interference);
   map["gap"] = echo_varying(zone.gap);
   map["normal"] = word(contact_normal_words, zone.normal);
+  map["smoothing"] = zone.smoothing;
   if (!zone.obstacle)
     map["clamped_normal"] = word(clamped_normal_words, zone.clamped_normal);
   map["bilateral"] = zone.bilateral;
   map["freeze"] = zone.freeze;
+  map["nodal_pairs"] = zone.nodal_pairs;
   put_optional(map, "initially_active", zone.initially_active);
   map["coefficients"] = Json::object();
   put_numbers(map["coefficients"], entry_of(zone.method), zone);
+  if (zone.method == ContactMethod::exponential)
+    map["coefficients"]["curve"] = word(exponential_curve_words, zone.curve);
   put_optional(map["coefficients"], "tangential", zone.tangential_coefficient);
   map["iterate"] = {
       {"geometry", echo(zone.geometry)}, {"friction", echo(zone.threshold)}, {"status", echo(zone.status)}};

@@ -44,7 +44,8 @@ bool has_cells(Formulation formulation, CellType type, Physics physics) {
   case Formulation::enhanced:
     return type == CellType::quad4 || type == CellType::hexa8;
   case Formulation::reduced:
-    return has_one_point(type) || type == CellType::quad8 || type == CellType::hexa20;
+    return has_one_point(type) || type == CellType::quad8 || type == CellType::hexa20 ||
+           type == CellType::penta6 || type == CellType::penta15;
   case Formulation::full:
     break;
   }

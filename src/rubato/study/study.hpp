@@ -176,6 +176,8 @@ enum class FrictionMethod {
 };
 enum class ContactNormal { master, slave, average };
 enum class ClampedNormal { projection, code_aster };
+/// Whose law exponential pressures follow (contact/exponential.hpp).
+enum class ExponentialCurve { abaqus, calculix };
 enum class Iteration { newton, fixed_point };
 
 /// One of the three nested levels: part of every Newton iteration, or a loop of its own around them.
@@ -229,15 +231,18 @@ struct ContactZone {
   double friction = 0;              ///< Coulomb's μ ≥ 0
   /// μ ≥ 0 as a function of the undeformed place; `friction` is 1 then.
   std::optional<FieldValue> friction_in_place;
-  Field interference;     ///< how much larger a body is than its mesh: taken from the gap [length], ≥ 0
-  Field gap;              ///< added to the gap that the mesh has [length]
-  bool bilateral = false; ///< points that have touched at the end of a step do not open any more
-  bool freeze = false;    ///< what faces what, and along which normals, is as in the undeformed bodies
-  bool tie = false;       ///< what faces each other undeformed moves together, in every direction
+  Field interference;       ///< how much larger a body is than its mesh: taken from the gap [length], ≥ 0
+  Field gap;                ///< added to the gap that the mesh has [length]
+  bool bilateral = false;   ///< points that have touched at the end of a step do not open any more
+  bool freeze = false;      ///< what faces what, and along which normals, is as in the undeformed bodies
+  bool nodal_pairs = false; ///< slave nodes face the nearest node of their master face, along its normal
+  bool tie = false;         ///< what faces each other undeformed moves together, in every direction
   ContactMethod method = ContactMethod::augmented_lagrangian;
   FrictionMethod friction_method = FrictionMethod::augmented_lagrangian;
   ContactNormal normal = ContactNormal::master;
   ClampedNormal clamped_normal = ClampedNormal::projection;
+  /// Whether normals are averaged at the nodes of their surface and interpolated over its faces.
+  bool smoothing = false;
   ContactRule integration;
   /// How far outside a master face a point may lie that still faces it, in reference lengths of the face: a
   /// SEG or QUAD is 2 long, a TRIA 1. A quarter of a face when not given. Not of mortar.
@@ -249,6 +254,7 @@ struct ContactZone {
   std::optional<double> tangential_coefficient; ///< c_t, k_t [1/length]; nodal methods [force/length]
   std::optional<double> pressure;               ///< exponential: p0 > 0 at gap 0 [pressure]
   std::optional<double> clearance; ///< exponential: c0 > 0, the gap at which pressure begins [length]
+  ExponentialCurve curve = ExponentialCurve::abaqus;
   /// First guess of the contact set: nothing given means the whole surface.
   std::optional<bool> initially_active;
   Level geometry{Iteration::newton, 1e-2, 10};

@@ -102,6 +102,9 @@ inline constexpr std::array<Word<ContactNormal>, 3> contact_normal_words{
 inline constexpr std::array<Word<ClampedNormal>, 2> clamped_normal_words{
     {{"projection", ClampedNormal::projection}, {"code_aster", ClampedNormal::code_aster}}};
 
+inline constexpr std::array<Word<ExponentialCurve>, 2> exponential_curve_words{
+    {{"abaqus", ExponentialCurve::abaqus}, {"calculix", ExponentialCurve::calculix}}};
+
 inline constexpr std::array<Word<ObstacleKind>, 3> obstacle_words{
     {{"plane", ObstacleKind::plane}, {"cylinder", ObstacleKind::cylinder}, {"sphere", ObstacleKind::sphere}}};
 

@@ -151,6 +151,35 @@ TEST_P(PairsOn, AreWithTheNearestFaceOfAllThatHoldTheProjection) {
   EXPECT_GT(unpaired, 10) << "the upper plate is to reach beyond the lower one";
 }
 
+TEST_P(PairsOn, AreWithTheNearestNodeOfTheFaceWhenPairsAreNodal) {
+  auto model = test::model_of(plates, {{"mesh.generate.0.cells", GetParam()},
+                                       {"mesh.generate.1.cells", GetParam()},
+                                       {"contact.rest.method", "nodal_lagrange"},
+                                       {"contact.rest.nodal_pairs", "true"}});
+  const auto& zone = model.zones.front();
+  const auto u = moved(model, 0.05);
+  const Configuration configuration{&model.mesh, &model.dofs, &u, &u};
+  const auto master = master_of(zone, configuration);
+  const auto pairs = find_pairs(zone, configuration);
+  int paired = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (!pairs[i].paired())
+      continue;
+    ++paired;
+    const auto x = position(zone.points[i], configuration);
+    const auto& face = zone.master.faces[static_cast<std::size_t>(pairs[i].master_face)];
+    const auto nodes = values_of(face, master);
+    double least = INFINITY;
+    for (int node = 0; node < face.node_count; ++node)
+      least = std::min(least, (nodes.col(node) - x).norm());
+    const auto& projection = pairs[i].projection;
+    EXPECT_NEAR((face_position(face.type, nodes, projection.clamped) - x).norm(), least, 1e-9);
+    EXPECT_EQ(projection.clamp_derivative, Eigen::Matrix2d::Zero().eval());
+    EXPECT_FALSE(projection.inside());
+  }
+  EXPECT_GT(paired, 10);
+}
+
 TEST_P(PairsOn, AreTheSameWhateverFaceIsGuessed) {
   const auto model = model_of_plates();
   const auto& zone = model.zones.front();

@@ -131,6 +131,10 @@ TEST(ContactZoneFaults, TiesHaveNothingOfSurfacesThatTouch) {
 TEST(ContactZoneFaults, WhatHoldsPointsHasToGoTogether) {
   EXPECT_EQ(faults_of_zone("bilateral: true, freeze: true"), Sentences{});
   EXPECT_EQ(faults_of_zone("method: nodal_lagrange, freeze: true"), Sentences{});
+  EXPECT_EQ(faults_of_zone("method: nodal_lagrange, nodal_pairs: true"), Sentences{});
+  EXPECT_EQ(faults_of_zone("method: penalty, nodal_pairs: true"),
+            Sentences{"contact.a.nodal_pairs: found nodal_pairs: true, which takes a master with nodes and a "
+                      "nodal method, expected nodal_lagrange, nodal_penalty or nodal_pcg before a master"});
   EXPECT_EQ(
       faults_of_zone("method: nodal_pcg, bilateral: true"),
       Sentences{"contact.a.bilateral: found bilateral: true, but nodal_pcg knows of pushing forces only, "

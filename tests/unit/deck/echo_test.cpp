@@ -57,7 +57,8 @@ TEST(StudyEcho, ReadsBackForEverySchemePhysicsAndShape) {
   decks.push_back(smallest_deck +
                   "contact: {a: {master: M, slave: S, tie: true, integration: nodes}, b: {master: K, "
                   "slave: L, bilateral: true, gap: -0.1, interference: {value: 2, function: f}}, "
-                  "c: {master: I, slave: J, freeze: true, interference: 0.1}}\n"
+                  "c: {master: I, slave: J, freeze: true, interference: 0.1}, "
+                  "d: {master: G, slave: H, method: nodal_lagrange, nodal_pairs: true}}\n"
                   "functions: {f: {times: [0, 1], values: [0, 1]}}\n");
   decks.push_back(replaced(smallest_deck, "solid", "plane_strain") +
                   "supports: [{on: g, rotate: {about: [1, 2], angle: 0.01*t}, x: 3}]\n");

@@ -104,6 +104,7 @@ def make_zone(problem: Problem, contact: Arguments, given: Arguments, number: in
     resolved = given.RESOLUTION == "OUI" and algorithm != "VERIF"
     set_friction(problem, contact, given, zone, formulation)
     set_places(problem, given, zone, algorithm, slave)
+    zone.smoothing = zone.smoothing or smooths(contact, zone)
     check_fixed_normals(problem, given, zone, master, slave)
     set_coefficients(given, zone, formulation, algorithm, between_nodes(problem, zone, slave))
     if algorithm == "PENALISATION":
@@ -214,6 +215,15 @@ def set_places(problem: Problem, given: Arguments, zone: Any, algorithm: str, sl
         zone.normal = NORMALS[given.NORMALE]
         zone.clamped_normal = "code_aster"
         zone.projection_tolerance = given.TOLE_PROJ_EXT
+    if given.APPARIEMENT == "NODAL" and zone.method.startswith("nodal"):
+        zone.nodal_pairs = True
+        zone.smoothing = True  # Code_Aster takes the mean normal at the master's node
+        zone.projection_tolerance = 1.0  # Code_Aster pairs every slave node
+
+
+def smooths(contact: Arguments, zone: Any) -> bool:
+    """Whether normals are averaged at nodes; mortar's always are."""
+    return contact.LISSAGE == "OUI" and zone.integration.by != rubato.ContactIntegration.mortar
 
 
 def has_triangles(problem: Problem, faces: np.ndarray) -> bool:

@@ -151,13 +151,11 @@ def tell_choices(session: Any, contact: ContactConcept | None) -> None:
     if contact is None:
         return
     given = contact.arguments
-    if given.LISSAGE == "OUI":
-        session.note("DEFI_CONTACT: LISSAGE='OUI' is not followed; normals are those of the faces.")
     if given.REAC_GEOM == "CONTROLE":
         session.note("DEFI_CONTACT: REAC_GEOM='CONTROLE' is solved as AUTOMATIQUE: pairs are found anew until they "
                      "stay.")
     for zone in given.ZONE:
-        if zone.APPARIEMENT == "NODAL":
+        if zone.APPARIEMENT == "NODAL" and given.FORMULATION != "DISCRETE":
             session.note("DEFI_CONTACT: APPARIEMENT='NODAL' is solved as MAIT_ESCL: slave nodes on master faces.")
         if zone.INTEGRATION == "NCOTES":
             session.note("DEFI_CONTACT: INTEGRATION='NCOTES' is solved by SIMPSON.")

@@ -25,6 +25,8 @@ Forms coefficients() {
                   "augmentation or stiffness of friction [1/length; nodal methods force/length]; chosen at "
                   "each point when not given",
                   number(study::bounds::tangential)});
+  keys.push_back({"curve", "exponential: whose law the pressures follow; abaqus when not given",
+                  word_of(study::exponential_curve_words)});
   return map("coefficients of contact and friction", std::move(keys));
 }
 
@@ -81,6 +83,7 @@ std::vector<Key> geometry() {
        word_of(study::contact_normal_words)},
       {"clamped_normal", "tangents where the projection lies outside the face; projection when not given",
        word_of(study::clamped_normal_words)},
+      {"smoothing", "true: normals are averaged at the nodes of their surface; nodes and gauss only", truth()},
       {"integration", "where contact points stand; mortar where it is possible when not given",
        integration()},
       {"projection_tolerance",
@@ -88,6 +91,7 @@ std::vector<Key> geometry() {
        "it when not given",
        number(study::bounds::projection_tolerance)},
       {"freeze", "true: geometry of the undeformed bodies", truth()},
+      {"nodal_pairs", "true: slave nodes face the nearest node of the master; nodal methods only", truth()},
       {"exclude_nodes", "slave nodes that are always open: nodes or groups", names()},
       {"initially_active", "whether all points start closed where there is no prediction", truth()},
       {"iterate", "how each level is solved", iterations()},

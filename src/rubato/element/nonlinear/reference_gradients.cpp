@@ -5,9 +5,11 @@
 #include "rubato/cell/rules.hpp"
 #include "rubato/cell/shape_table.hpp"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace rubato::element {
 namespace {
@@ -54,29 +56,45 @@ Tables every_table() {
   return tables;
 }
 
-struct LowerOrder {
-  explicit LowerOrder(CellType type)
-      : rule(cell::gauss_rule(type, 2)), gradients(made(cell::reference_cell(type), rule)) {}
+/// Gauss points along the edges of a cell of lower order; along the axis of a prism.
+struct EdgePoints {
+  CellType type;
+  int count;
+};
+constexpr std::array edge_points{EdgePoints{CellType::quad8, 2}, EdgePoints{CellType::hexa20, 2},
+                                 EdgePoints{CellType::penta6, 2}, EdgePoints{CellType::penta15, 3}};
 
+struct LowerOrder {
+  explicit LowerOrder(EdgePoints of)
+      : type(of.type), rule(cell::gauss_rule(type, of.count)), table(cell::tabulate(type, rule)),
+        gradients(made(cell::reference_cell(type), rule)) {}
+
+  CellType type;
   cell::Rule rule;
+  cell::ShapeTable table;
   ReferenceGradients gradients;
 };
 
 const LowerOrder& lower_order(CellType type) {
-  static const LowerOrder quad8(CellType::quad8), hexa20(CellType::hexa20);
-  if (!has_lower_order_rule(type))
+  static const std::vector<LowerOrder> all(edge_points.begin(), edge_points.end());
+  const auto found = std::ranges::find(all, type, &LowerOrder::type);
+  if (found == all.end())
     throw std::invalid_argument(std::string(cell::topology(type).name) + " has no rule of lower order");
-  return type == CellType::quad8 ? quad8 : hexa20;
+  return *found;
 }
 
 } // namespace
 
 bool has_lower_order_rule(CellType type) {
-  return type == CellType::quad8 || type == CellType::hexa20;
+  return std::ranges::find(edge_points, type, &EdgePoints::type) != edge_points.end();
 }
 
 std::span<const cell::QuadraturePoint> lower_order_rule(CellType type) {
   return lower_order(type).rule;
+}
+
+const cell::ShapeTable& lower_order_table(CellType type) {
+  return lower_order(type).table;
 }
 
 const ReferenceGradients& reference_gradients(CellType type, PointRule rule) {

@@ -49,6 +49,9 @@ private:
       rules_.broken({at("normal"), at("obstacle")},
                     fmt::format("found {}, an obstacle gives the normal itself, expected master",
                                 word_of(contact_normal_words, zone_.normal)));
+    if (zone_.smoothing)
+      rules_.broken({at("smoothing"), at("obstacle")},
+                    "found smoothing: true before an obstacle, which is smooth, expected no 'smoothing'");
   }
 
   void check_friction() {
@@ -121,6 +124,10 @@ private:
   void check_bonds() {
     if (zone_.tie)
       check_tie();
+    if (zone_.nodal_pairs && (!method_.nodal || zone_.obstacle))
+      rules_.broken({at("nodal_pairs"), at("method"), at("obstacle")},
+                    "found nodal_pairs: true, which takes a master with nodes and a nodal method, expected "
+                    "nodal_lagrange, nodal_penalty or nodal_pcg before a master");
     if (zone_.bilateral && method_.exact_prediction)
       rules_.broken({at("bilateral"), at("method")},
                     fmt::format("found bilateral: true, but {} knows of pushing forces only, expected "
@@ -193,6 +200,11 @@ private:
                     fmt::format("found {} with the integration {}, whose normals are those of the slave's "
                                 "nodes, expected no 'normal'",
                                 word_of(contact_normal_words, zone_.normal), rule.name));
+    if (!rule.chooses_normal && zone_.smoothing)
+      rules_.broken({at("smoothing"), at("integration")},
+                    fmt::format("found smoothing: true with the integration {}, whose normals are averages at "
+                                "the slave's nodes already, expected no 'smoothing'",
+                                rule.name));
     if (!rule.chooses_normal && zone_.projection_tolerance)
       rules_.broken(
           {at("projection_tolerance"), at("integration")},

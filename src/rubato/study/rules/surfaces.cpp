@@ -89,6 +89,10 @@ private:
                     fmt::format("found {} with 'self', where the other side gives the normal, expected no "
                                 "'normal'",
                                 word_of(contact_normal_words, zone_.normal)));
+    if (zone_.smoothing)
+      rules_.broken({at("smoothing"), at("self")},
+                    "found smoothing: true with 'self', where a fold has no mean normal, expected no "
+                    "'smoothing'");
   }
 
   Rules& rules_;
