@@ -6,6 +6,7 @@
 #include "rubato/model/model.hpp"
 #include "rubato/modes/modal_study.hpp"
 #include "rubato/results/mode_files.hpp"
+#include "rubato/results/mode_tables.hpp"
 #include "rubato/results/run_folder.hpp"
 #include "rubato/study/words.hpp"
 
@@ -123,6 +124,7 @@ int show_modes(const study::Study& study, const inp::ModesAsked& asked, Contact 
   const auto modes = modes_in(model, asked, contact);
   claim.make();
   results::write_modes(folder, model, modes);
+  results::write_mode_tables(folder, model, modes);
   fmt::print("{}: {} modes of {} unknowns; {} and {} in {}\n", study.name, modes.frequencies.size(),
              model.reduction.unknown_count(), results::modes_file, results::mode_shapes_file,
              folder.string());

@@ -178,12 +178,7 @@ U
 
 
 def study_of(kind, nodes="NODE FILE", cells="EL FILE"):
-    """C3D15 has nine integration points in CalculiX and more here: its strain is made constant."""
-    text = STUDY.format(mesh=MESH[kind], nodes=nodes, cells=cells)
-    if kind == "C3D15":
-        held = "*BOUNDARY\nNALL,1,2\n" + "".join(f"{node},3,3,{z}\n" for nodes, z in [((17, 18, 19), "0.005"), ((4, 5, 7, 14, 15, 16), "0.01")] for node in nodes)
-        text = text.replace("*CLOAD\nTOP,3,1.\nTIP,1,1.5\n", held).replace("*CLOAD\nTIP,1,2.\n", "")
-    return text
+    return STUDY.format(mesh=MESH[kind], nodes=nodes, cells=cells)
 
 
 def ccx(folder, text):

@@ -83,7 +83,7 @@ double calculix_pressure(double gap, const Numbers& numbers) {
   const double beta = growth(numbers), beyond = gap - numbers.clearance;
   if (beyond < 0)
     return numbers.pressure * std::exp(-beta * gap);
-  return numbers.pressure * left_at_clearance * std::max(0.0, 1 - beta * beyond);
+  return gap < reach(numbers) ? numbers.pressure * left_at_clearance * (1 - beta * beyond) : 0;
 }
 
 double calculix_stiffness(double gap, const Numbers& numbers) {

@@ -47,7 +47,7 @@ const MatrixXd& from_lower_order(CellType type) {
     for (const auto& cell : cell::all_topologies())
       if (element::has_lower_order_rule(cell.type))
         table[static_cast<std::size_t>(cell.type)] =
-            fit(cell.type, element::lower_order_rule(cell.type), cell::stiffness_rule(cell.type));
+            element::from_lower_order_points(cell.type, cell::stiffness_rule(cell.type));
     return table;
   }();
   return all[static_cast<std::size_t>(type)];

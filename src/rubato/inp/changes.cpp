@@ -45,6 +45,7 @@ void give_numbers(study::ContactZone& zone, const study::ContactZone& numbers) {
   zone.tangential_coefficient = numbers.tangential_coefficient;
   zone.pressure = numbers.pressure;
   zone.clearance = numbers.clearance;
+  zone.curve = numbers.curve;
   zone.bilateral = numbers.bilateral;
 }
 

@@ -102,6 +102,15 @@ void add_zone(Reading& reading, study::ContactZone zone, std::string_view label,
   reading.study.contact.push_back(std::move(zone));
 }
 
+/// Whether it has keywords that CalculiX does not have.
+bool is_of_abaqus(const Content& content) {
+  return std::ranges::any_of(content.layout.blocks, [](const Placed& placed) {
+    const auto& block = *placed.block;
+    return block.is("PART") || block.is("ASSEMBLY") || block.is("INSTANCE") || block.is("PREPRINT") ||
+           (block.is("OUTPUT") && (block.find("FIELD") != nullptr || block.find("HISTORY") != nullptr));
+  });
+}
+
 } // namespace
 
 void read_interaction(Reading& reading, std::size_t index) {
@@ -138,9 +147,13 @@ void read_surface_behavior(Reading& reading, std::size_t index) {
     zone.method = ContactMethod::exponential;
     zone.clearance = *number(0);
     zone.pressure = *number(1);
+    zone.curve =
+        is_of_abaqus(reading.content) ? study::ExponentialCurve::abaqus : study::ExponentialCurve::calculix;
     note(reading, block.at,
-         "exponential pressure is as Abaqus has it, (p0/(e-1)) x (exp(x)-1) with x = 1 - gap/c0; "
-         "CalculiX has p0 exp(-gap ln(100)/c0)");
+         zone.curve == study::ExponentialCurve::abaqus
+             ? "exponential pressure is as Abaqus has it, (p0/(e-1)) x (exp(x)-1) with x = 1 - gap/c0"
+             : "exponential pressure is as CalculiX has it, p0 exp(-gap ln(100)/c0), as no keyword of the "
+               "file is Abaqus' alone; in a deck 'curve: abaqus' gives the other");
   } else if (word == "TIED") {
     interaction->tied = true;
     note(reading, block.at,

@@ -34,11 +34,25 @@ study::ContactZone geometry_of(const study::ContactZone& asked) {
   zone.tie = asked.tie;
   zone.normal = asked.normal;
   zone.clamped_normal = asked.clamped_normal;
+  zone.smoothing = asked.smoothing;
+  zone.nodal_pairs = asked.nodal_pairs;
   zone.integration = asked.integration;
   zone.exclude_nodes = asked.exclude_nodes;
   zone.friction = asked.friction;
   zone.friction_in_place = asked.friction_in_place;
   return zone;
+}
+
+/// Files in CalculiX's layout, which have shapes too.
+study::FieldOutput outputs_of(const study::FieldOutput& asked) {
+  study::FieldOutput output;
+  output.frd = asked.frd;
+  output.frd_binary = asked.frd_binary;
+  output.step = asked.step;
+  output.only = asked.only;
+  output.also = asked.also;
+  output.tables = asked.tables;
+  return output;
 }
 
 } // namespace
@@ -67,7 +81,7 @@ study::Study modal_study(const study::Study& asked) {
   study.time.end = asked.time.begin + 1;
   study.newton = {};
   study.solver = study::Solver::automatic;
-  study.fields = {};
+  study.fields = outputs_of(asked.fields);
   study.checkpoint = {};
   return study;
 }

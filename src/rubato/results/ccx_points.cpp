@@ -6,6 +6,8 @@
 #include "rubato/cell/rules.hpp"
 #include "rubato/cell/shape_table.hpp"
 #include "rubato/domain/recovery.hpp"
+#include "rubato/element/lower_order.hpp"
+#include "rubato/linalg/dense_decompositions.hpp"
 
 #include <array>
 #include <cmath>
@@ -23,14 +25,6 @@ Places places_in(std::span<const cell::QuadraturePoint> rule) {
   Places places;
   for (const auto& point : rule)
     places.push_back(point.xi);
-  return places;
-}
-
-Places prism_points(bool quadratic) {
-  Places places;
-  for (const auto& level : cell::gauss_rule(CellType::seg2, quadratic ? 3 : 2))
-    for (const auto& point : cell::gauss_rule(CellType::tria3, quadratic ? 2 : 1))
-      places.emplace_back(point.xi.x(), point.xi.y(), level.xi.x());
   return places;
 }
 
@@ -61,7 +55,7 @@ Places places_of(CellType type, bool reduced) {
   case CellType::quad4:
     return places_in(cell::gauss_rule(corners, shape.order + (reduced ? 0 : 1)));
   case CellType::penta6:
-    return prism_points(quadratic);
+    return places_in(cell::gauss_rule(corners, quadratic ? 3 : 2));
   case CellType::tetra4:
     return tetra_points(quadratic);
   case CellType::tria3:
@@ -81,6 +75,12 @@ CcxPoints made_points(CellType type, bool reduced) {
   CcxPoints points;
   points.layers = layers_of(type, reduced);
   points.from_nodes = cell::tabulate(type, rule).values;
+  if (reduced && element::has_lower_order_rule(type)) {
+    points.from_points =
+        linalg::pseudo_inverse(element::from_lower_order_points(type, cell::stiffness_rule(type)))
+            .transpose();
+    return points;
+  }
   points.from_points = domain::extrapolation(type).topRows(corners.rows()).transpose() * corners;
   constexpr double same = 1e-9;
   for (std::size_t i = 0; i < places.size(); ++i)

@@ -207,17 +207,20 @@ struct BlockHead {
   int instant = 0;
   int increment = 0;
   int step = 0;
+  bool modal = false;
 };
 
-std::string first_line(const BlockHead& head) {
-  return fmt::format("    1PSTEP{:26}{:12}{:12}          \n", head.block, head.increment, head.step);
+/// Of a mode its number as well.
+std::string first_lines(const BlockHead& head) {
+  auto text = fmt::format("    1PSTEP{:26}{:12}{:12}          \n", head.block, head.increment, head.step);
+  return head.modal ? text + fmt::format("    1PMODE{:26}\n", head.increment) : text;
 }
 
 void put_block_head(std::string& text, const BlockHead& head, double t, const FrdBlock& block,
                     std::size_t nodes, bool binary) {
-  text += first_line(head);
-  put_text(text, "  100CL{:5}{}{:12}                     0{:5}{:12}\n", 100 + head.instant, frd_time(t),
-           nodes, head.instant, binary ? 2 : 1);
+  text += first_lines(head);
+  put_text(text, "  100CL{:5}{}{:12}{:22}{:5}{}{:2}\n", 100 + head.instant, frd_time(t), nodes,
+           head.modal ? 2 : 0, head.instant, head.modal ? "MODAL     " : "          ", binary ? 2 : 1);
   const auto size = block.components.size();
   put_text(text, " -4  {:<8}{:5}{:5}\n", block.name, size + (block.kind == FrdKind::vector ? 1 : 0), 1);
   constexpr std::array<std::array<int, 2>, 6> places{{{1, 1}, {2, 2}, {3, 3}, {1, 2}, {2, 3}, {3, 1}}};
@@ -279,6 +282,14 @@ FrdFile::FrdFile(std::filesystem::path path, const mesh::Mesh& mesh, FrdSettings
 }
 
 void FrdFile::add(double t, int increment, std::span<const FrdBlock> blocks) {
+  add_blocks(t, increment, false, blocks);
+}
+
+void FrdFile::add_mode(double frequency, int number, std::span<const FrdBlock> blocks) {
+  add_blocks(frequency, number, true, blocks);
+}
+
+void FrdFile::add_blocks(double value, int increment, bool modal, std::span<const FrdBlock> blocks) {
   const auto before = position_;
   std::filesystem::resize_file(path_, before.bytes);
   try {
@@ -287,8 +298,8 @@ void FrdFile::add(double t, int increment, std::span<const FrdBlock> blocks) {
     for (const auto& block : blocks) {
       ++position_.blocks;
       std::string text;
-      put_block_head(text, {position_.blocks, position_.instants, increment, settings_.step}, t, block,
-                     nodes_.size(), settings_.binary);
+      put_block_head(text, {position_.blocks, position_.instants, increment, settings_.step, modal}, value,
+                     block, nodes_.size(), settings_.binary);
       put_values(text, block, nodes_, numbers_, settings_.binary);
       file << text;
       position_.bytes += text.size();

@@ -53,10 +53,14 @@ public:
   /// Appends the blocks of an instant; `increment` counts within the step. Throws WriteError and restores the
   /// file.
   void add(double t, int increment, std::span<const FrdBlock> blocks);
+  /// The same of a natural mode, whose number counts from 1.
+  void add_mode(double frequency, int number, std::span<const FrdBlock> blocks);
   void cut(const FrdPosition& position);
   const FrdPosition& position() const { return position_; }
 
 private:
+  void add_blocks(double value, int increment, bool modal, std::span<const FrdBlock> blocks);
+
   std::filesystem::path path_;
   FrdSettings settings_;
   std::vector<std::int32_t> numbers_;  ///< of the nodes that are written

@@ -13,6 +13,7 @@ namespace rubato::results {
 namespace {
 
 constexpr std::string_view block_begin = "    1PSTEP";
+constexpr std::string_view mode_begin = "    1PMODE"; ///< of natural modes alone
 constexpr std::string_view instant_begin = "  100CL";
 
 /// Goes through a file of FrdFile and writes its blocks with other numbers.
@@ -113,13 +114,18 @@ private:
   void block(const std::string& begin, int first_instant, int& blocks, int& instants) {
     std::string line;
     next(line);
+    std::string mode;
+    if (line.starts_with(mode_begin)) {
+      mode = line + '\n';
+      next(line);
+    }
     if (!line.starts_with(instant_begin))
       throw InputError(fmt::format("{}: found '{}', expected {}", path_.string(), line, instant_begin));
     instants = first_instant + number(line, 58, 5);
     const auto nodes = static_cast<std::size_t>(number(line, 24, 12));
     const bool binary = number(line, line.size() - 1, 1) == 2;
     to_ << block_begin << fmt::format("{:26}", ++blocks) << begin.substr(block_begin.size() + 26) << '\n'
-        << instant_begin << fmt::format("{:5}", 100 + instants) << line.substr(12, 46)
+        << mode << instant_begin << fmt::format("{:5}", 100 + instants) << line.substr(12, 46)
         << fmt::format("{:5}", instants) << line.substr(63) << '\n';
     std::string name;
     next(name);

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace rubato::results {
 
@@ -25,6 +26,8 @@ public:
 
   /// Appends the tables that are due at step `number`.
   void write(const step::State& now, int number, bool last);
+  /// Appends text whose last character ends a line.
+  void add_words(std::string_view text) { file_.add(text.substr(0, text.size() - 1)); }
   void cut(std::uintmax_t bytes) { file_.cut(bytes); }
   std::uintmax_t bytes() const { return file_.bytes(); }
 

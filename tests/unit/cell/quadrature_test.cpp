@@ -147,6 +147,14 @@ TEST(GaussRules, AreExactToTheirDegreeOnFaces) {
   }
 }
 
+TEST(GaussRules, OfPrismsHaveOnePointLessAcrossThanAlong) {
+  for (int n = 2; n <= 5; ++n)
+    expect_exact(CellType::penta15, gauss_rule(CellType::penta15, n), n == 2 ? 1 : 2 * n - 4);
+  EXPECT_EQ(gauss_rule(CellType::penta6, 2).size(), 2U);
+  EXPECT_EQ(gauss_rule(CellType::penta15, 3).size(), 9U);
+  EXPECT_THROW(gauss_rule(CellType::penta6, 1), std::invalid_argument);
+}
+
 TEST(GaussRules, ListTheSixPointsOfATriangleInTheDocumentedOrder) {
   const double a = 0.445948490915965, b = 0.091576213509771;
   const std::array<std::array<double, 3>, 6> expected{{{b, b, 0.054975871827661},

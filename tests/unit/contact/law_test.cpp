@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "rubato/contact/law.hpp"
 #include "rubato/contact/spring_friction.hpp"
+#include "rubato/study/words.hpp"
 
 #include <gtest/gtest.h>
 
@@ -235,26 +236,59 @@ TEST(ExponentialLaw, HasItsPressureWhereTheSurfacesMeetAndNoneFromTheClearanceOn
   }
 }
 
-/// The closed form and the series that has its place near the clearance.
-TEST(ExponentialLaw, StoresTheIntegralOfItsPressure) {
-  const exponential::Numbers numbers{.pressure = 3, .clearance = 0.4};
-  for (const double depth : {1e-3, 0.3, 0.999, 1.001, 4.0}) {
+class ExponentialCurves : public testing::TestWithParam<study::ExponentialCurve> {};
+
+/// Closed forms, and the series that has its place near Abaqus' clearance.
+TEST_P(ExponentialCurves, StoreTheIntegralOfTheirPressure) {
+  const exponential::Numbers numbers{.pressure = 3, .clearance = 0.4, .curve = GetParam()};
+  const double reach = exponential::reach(numbers);
+  for (const double depth : {1e-3, 0.3, 0.6, 0.999, 1.001, 4.0}) {
+    const double gap = reach - 0.4 * depth;
     double sum = 0;
-    const int parts = 1000;
+    const int parts = 4000;
     for (int i = 0; i < parts; ++i) // the midpoint rule
-      sum += exponential::pressure(0.4 * (1 - depth * (i + 0.5) / parts), numbers) * 0.4 * depth / parts;
-    const double gap = 0.4 * (1 - depth);
-    const double energy = exponential::energy_length(gap, 0.4) * exponential::pressure(gap, numbers);
-    EXPECT_NEAR(energy, sum, 1e-5 * sum) << depth;
+      sum += exponential::pressure(gap + 0.4 * depth * (i + 0.5) / parts, numbers) * 0.4 * depth / parts;
+    EXPECT_NEAR(exponential::energy_length(gap, numbers) * exponential::pressure(gap, numbers), sum,
+                1e-5 * sum)
+        << depth;
   }
 }
 
-class SpringLaw : public testing::TestWithParam<ContactMethod> {
+TEST_P(ExponentialCurves, HaveOneGapForEachPressure) {
+  const exponential::Numbers numbers{.pressure = 3, .clearance = 0.4, .curve = GetParam()};
+  for (const double pressure : {1e-4, 0.01, 0.03, 0.1, 3.0, 500.0})
+    EXPECT_NEAR(exponential::pressure(exponential::gap_of(pressure, numbers), numbers), pressure,
+                1e-12 * pressure);
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, ExponentialCurves,
+                         testing::Values(study::ExponentialCurve::abaqus, study::ExponentialCurve::calculix));
+
+/// A hundredth of p₀ is left at the clearance; the tangent there ends at c₀ (1 + 1/ln 100).
+TEST(ExponentialLaw, IsThatOfCalculixUpToTheClearance) {
+  const exponential::Numbers numbers{
+      .pressure = 3, .clearance = 0.4, .curve = study::ExponentialCurve::calculix};
+  EXPECT_DOUBLE_EQ(exponential::pressure(0, numbers), 3);
+  EXPECT_NEAR(exponential::pressure(0.2, numbers), 0.3, 1e-15);
+  EXPECT_NEAR(exponential::pressure(0.4, numbers), 0.03, 1e-16);
+  EXPECT_NEAR(exponential::pressure(-0.4, numbers), 300, 1e-12);
+  EXPECT_NEAR(exponential::reach(numbers), 0.4 * (1 + 1 / std::log(100.0)), 1e-15);
+  EXPECT_EQ(exponential::pressure(exponential::reach(numbers), numbers), 0);
+}
+
+struct Spring {
+  ContactMethod method;
+  study::ExponentialCurve curve = study::ExponentialCurve::abaqus;
+};
+
+class SpringLaw : public testing::TestWithParam<Spring> {
 protected:
   SpringLaw() {
-    zone_.method = GetParam();
+    law_.exponential.curve = GetParam().curve;
+    zone_.method = GetParam().method;
     zone_.pressure = law_.exponential.pressure;
     zone_.clearance = law_.exponential.clearance;
+    zone_.curve = GetParam().curve;
   }
 
   double pressure(double gap) const { return respond({.gap = gap}, Status::slip, law_).traction[0]; }
@@ -264,8 +298,8 @@ protected:
   static constexpr double h = 1e-6;
   static constexpr std::array gaps{-0.9, -0.3, -0.05};
   study::ContactZone zone_;
-  PointLaw law_ = law_of(GetParam(), study::usual_friction_method(GetParam()));
-  const NormalLaw& normal_ = normal_law(GetParam());
+  PointLaw law_ = law_of(GetParam().method, study::usual_friction_method(GetParam().method));
+  const NormalLaw& normal_ = normal_law(GetParam().method);
 };
 
 TEST_P(SpringLaw, HoldsTheEnergyWhoseSlopeIsItsPressure) {
@@ -297,9 +331,14 @@ TEST_P(SpringLaw, PressesWithinItsReachOnly) {
   EXPECT_GT(pressure(reach - h), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, SpringLaw,
-                         testing::Values(ContactMethod::penalty, ContactMethod::exponential),
-                         [](const auto& method) { return std::string(study::entry_of(method.param).name); });
+INSTANTIATE_TEST_SUITE_P(
+    Methods, SpringLaw,
+    testing::Values(Spring{ContactMethod::penalty}, Spring{ContactMethod::exponential},
+                    Spring{ContactMethod::exponential, study::ExponentialCurve::calculix}),
+    [](const auto& spring) {
+      return std::string(study::entry_of(spring.param.method).name) + "_" +
+             std::string(study::word_of(study::exponential_curve_words, spring.param.curve));
+    });
 
 TEST(FrictionAlongOneDirection, IsThatOfOneTangent) {
   const Eigen::Vector2d only(0.6, -0.8);

@@ -56,14 +56,20 @@ std::string pressed(double pressure) {
                      -pressure);
 }
 
+std::string as_calculix(std::string deck) {
+  const std::string last = "clearance: 1e-5";
+  return deck.insert(deck.find(last) + last.size(), ", curve: calculix");
+}
+
 /// What p(g) = p asks for.
-double gap_under(double pressure) {
-  return contact::exponential::gap_of(pressure, {base, clearance});
+double gap_under(double pressure, study::ExponentialCurve curve) {
+  return contact::exponential::gap_of(pressure, {base, clearance, curve});
 }
 
 struct Press {
   const char* name;
   std::string deck;
+  study::ExponentialCurve curve = study::ExponentialCurve::abaqus;
 };
 void PrintTo(const Press& press, std::ostream* out) {
   *out << press.name;
@@ -77,7 +83,7 @@ TEST_P(PressedBlock, StandsWhereTheLawHasThePressure) {
   Walk walk(press.deck + pressed(multiple * base));
   ASSERT_TRUE(walk.to_end());
   EXPECT_EQ(walk.reports.size(), 1U) << "attempts";
-  const double expected = gap_under(multiple * base);
+  const double expected = gap_under(multiple * base, press.curve);
   for (const auto& outcome : walk.state().zones[0].outcomes) {
     EXPECT_NEAR(outcome.gap, expected, 1e-9 * std::max(clearance, std::abs(expected)));
     EXPECT_NEAR(outcome.pressure, multiple * base, 1e-9 * multiple * base);
@@ -86,7 +92,10 @@ TEST_P(PressedBlock, StandsWhereTheLawHasThePressure) {
 
 INSTANTIATE_TEST_SUITE_P(Masters, PressedBlock,
                          testing::Combine(testing::Values(Press{"OnAPlane", block + floor_below},
-                                                          Press{"OnABlock", blocks + interface_between}),
+                                                          Press{"OnABlock", blocks + interface_between},
+                                                          Press{"OnABlockAsCalculix",
+                                                                as_calculix(blocks + interface_between),
+                                                                study::ExponentialCurve::calculix}),
                                           testing::Values(1e-3, 0.1, 1.0, 30.0, 1e3)),
                          [](const auto& chosen) {
                            return std::string(std::get<0>(chosen.param).name) + std::to_string(chosen.index);

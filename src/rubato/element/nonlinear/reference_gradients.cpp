@@ -4,9 +4,12 @@
 #include "rubato/cell/reference_cell.hpp"
 #include "rubato/cell/rules.hpp"
 #include "rubato/cell/shape_table.hpp"
+#include "rubato/linalg/dense_decompositions.hpp"
+#include "rubato/linalg/dense_products.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -64,6 +67,27 @@ struct EdgePoints {
 constexpr std::array edge_points{EdgePoints{CellType::quad8, 2}, EdgePoints{CellType::hexa20, 2},
                                  EdgePoints{CellType::penta6, 2}, EdgePoints{CellType::penta15, 3}};
 
+/// Powers of the reference coordinates up to which functions through the points go: in a triangle x and y
+/// have no product.
+Eigen::MatrixXd powers_at(CellType type, std::span<const cell::QuadraturePoint> places) {
+  const bool prism = cell::topology(type).corner_count == 6, solid = cell::topology(type).dimension == 3;
+  const int across = type == CellType::penta6 ? 0 : 1,
+            along = solid ? (type == CellType::penta15 ? 2 : 1) : 0;
+  std::vector<std::array<int, 3>> powers;
+  for (int z = 0; z <= along; ++z)
+    for (int y = 0; y <= across; ++y)
+      for (int x = 0; x <= across - (prism ? y : 0); ++x)
+        powers.push_back({x, y, z});
+  Eigen::MatrixXd values(static_cast<Index>(places.size()), static_cast<Index>(powers.size()));
+  for (Index i = 0; i < values.rows(); ++i)
+    for (Index k = 0; k < values.cols(); ++k) {
+      const auto& xi = places[static_cast<std::size_t>(i)].xi;
+      const auto& of = powers[static_cast<std::size_t>(k)];
+      values(i, k) = std::pow(xi[0], of[0]) * std::pow(xi[1], of[1]) * std::pow(xi[2], of[2]);
+    }
+  return values;
+}
+
 struct LowerOrder {
   explicit LowerOrder(EdgePoints of)
       : type(of.type), rule(cell::gauss_rule(type, of.count)), table(cell::tabulate(type, rule)),
@@ -91,6 +115,11 @@ bool has_lower_order_rule(CellType type) {
 
 std::span<const cell::QuadraturePoint> lower_order_rule(CellType type) {
   return lower_order(type).rule;
+}
+
+Eigen::MatrixXd from_lower_order_points(CellType type, std::span<const cell::QuadraturePoint> places) {
+  return linalg::product(powers_at(type, places),
+                         linalg::pseudo_inverse(powers_at(type, lower_order_rule(type))));
 }
 
 const cell::ShapeTable& lower_order_table(CellType type) {
