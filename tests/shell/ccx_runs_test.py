@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Own .inp files, each run by rubato and by CalculiX (CCX=1): displacements and forces of their .dat files agree."""
 
+import re
 import shutil
 import subprocess
 
@@ -66,6 +67,7 @@ SOLIDS = ["C3D4", "C3D10", "C3D6", "C3D15", "C3D8", "C3D20", "C3D20R"]
 PLANE = ["CPE4", "CPE8", "CPE8R"]
 RINGS = ["CAX4", "CAX8", "CAX8R"]
 EQUAL = 2e-6  # numbers of .dat files have seven digits
+NUMBER = re.compile(r"[ -]\d\.\d+E[+-]\d\d")
 
 
 @pytest.mark.parametrize("kind", SOLIDS + PLANE)
@@ -176,3 +178,34 @@ def test_equations(tmp_path, kind):
     ties = "".join(f"*EQUATION\n2\n{node}, 1, 1., {first}, 1, -1.\n" for node in others)
     text = static(kind, f"*CLOAD\n{first}, 1, 100.\n").replace("*STEP\n", ties + "*STEP\n", 1)
     compare(tmp_path, text, EQUAL)
+
+
+def numbers_of(words, rows):
+    """The values of a table of modes in one list."""
+    first = 2 if words.startswith("stresses") else 0 if words.startswith("total") else 1
+    return [float(word) for row in rows if "E I G" not in row for word in row.split()[first:]]
+
+
+@pytest.mark.parametrize("kind", ["C3D8", "C3D20"])
+def test_modes(tmp_path, kind):
+    """Frequencies, participation and the displacements, forces and stresses of each mode, whose sign is free."""
+    requests = "*NODE PRINT, NSET=TIP\nU\n*NODE PRINT, NSET=FIX, TOTALS=ONLY\nRF\n*EL PRINT, ELSET=E\nS\n*END STEP\n"
+    (tmp_path / "a.inp").write_text(bar(kind) + "*STEP\n*FREQUENCY\n4\n" + held(kind) + requests)
+    subprocess.run(["ccx", "a"], cwd=tmp_path, capture_output=True, timeout=600, check=True)
+    code, _, errors = corpus.outcome("run", str(tmp_path / "a.inp"), "-o", str(tmp_path / "out"))
+    assert code == 0, errors
+    ours, theirs = ((tmp_path / place / "a.dat").read_text() for place in ("out", "."))
+    heads = [text.split("E I G E N V A L U E    N U M B E R")[0].split("\n     ") for text in (ours, theirs)]
+    for mine, other in zip(*heads, strict=True):
+        assert NUMBER.sub("#", mine) == NUMBER.sub("#", other)
+        rows = [[[abs(float(word)) for word in NUMBER.findall(text)]] for text in (mine, other)]
+        if rows[1] != [[]]:
+            assert largest_difference(*rows) < EQUAL, other
+    tables = [ccx_files.tables(tmp_path / place / "a.dat") for place in ("out", ".")]
+    assert [words for words, _, _ in tables[0]] == [words for words, _, _ in tables[1]]
+    assert len(tables[0]) == 12
+    largest = {words: max(abs(x) for other, _, rows in tables[1] if other == words for x in numbers_of(other, rows)) for words, _, _ in tables[1]}
+    for (words, _, mine), (_, _, others) in zip(*tables, strict=True):
+        pairs = list(zip(numbers_of(words, mine), numbers_of(words, others), strict=True))
+        apart = min(max(abs(a - sign * b) for a, b in pairs) for sign in (1, -1))
+        assert apart < 1e-5 * largest[words], words

@@ -224,6 +224,21 @@ std::vector<std::uint8_t> touched_points(const Zone& zone, const ZoneState& stat
 ContactSystem::ContactSystem(Index dofs, Index multipliers)
     : force(VectorXd::Zero(dofs)), equations(VectorXd::Zero(multipliers)) {}
 
+namespace {
+
+/// Augmentation of friction by that which is chosen by itself, beyond which statuses follow the rounding of
+/// slips: from 1e5 on steps take twenty times as many iterations, from 1e9 on they fail
+/// (docs/guide/deck.md#coefficients). The answer does not depend on it.
+constexpr double largest_augmentation = 1e3;
+
+double tangential_coefficient(const Zone& zone, const FrictionLaw& friction, double stiffness) {
+  const double automatic = friction.coefficient(stiffness, zone.edge());
+  const double asked = zone.settings.tangential_coefficient.value_or(automatic);
+  return friction.role->limited(asked, largest_augmentation * automatic);
+}
+
+} // namespace
+
 ZoneCoefficients automatic_coefficients(const Zone& zone, const domain::DofMap& dofs,
                                         const Eigen::Ref<const VectorXd>& diagonal) {
   const auto& settings = zone.settings;
@@ -234,8 +249,7 @@ ZoneCoefficients automatic_coefficients(const Zone& zone, const domain::DofMap& 
     const double stiffness = resistance(point, dofs, diagonal) / std::abs(point.weight);
     coefficients.resistance.push_back(stiffness);
     coefficients.normal.push_back(settings.normal_coefficient.value_or(normal.multiple * stiffness));
-    coefficients.tangential.push_back(
-        settings.tangential_coefficient.value_or(friction.coefficient(stiffness, zone.edge())));
+    coefficients.tangential.push_back(tangential_coefficient(zone, friction, stiffness));
   }
   return coefficients;
 }

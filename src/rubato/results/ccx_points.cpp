@@ -76,9 +76,8 @@ CcxPoints made_points(CellType type, bool reduced) {
   points.layers = layers_of(type, reduced);
   points.from_nodes = cell::tabulate(type, rule).values;
   if (reduced && element::has_lower_order_rule(type)) {
-    points.from_points =
-        linalg::pseudo_inverse(element::from_lower_order_points(type, cell::stiffness_rule(type)))
-            .transpose();
+    points.to_points = element::from_lower_order_points(type, cell::stiffness_rule(type)).transpose();
+    points.from_points = linalg::pseudo_inverse(points.to_points);
     return points;
   }
   points.from_points = domain::extrapolation(type).topRows(corners.rows()).transpose() * corners;

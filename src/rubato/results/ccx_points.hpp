@@ -11,6 +11,7 @@ namespace rubato::results {
 struct CcxPoints {
   int layers = 1;              ///< equal ones of plane cells, which CalculiX expands to solids
   Eigen::MatrixXd from_points; ///< values at the points of cell::stiffness_rule to those of a layer
+  Eigen::MatrixXd to_points;   ///< the way back, of cells with points of lower order; else empty
   Eigen::MatrixXd from_nodes;  ///< values of nodes to those of a layer
 };
 

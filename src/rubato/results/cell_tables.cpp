@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tables of cells: at integration points, and of whole cells.
+#include "rubato/cell/quadrature.hpp"
 #include "rubato/cell/shape_table.hpp"
 #include "rubato/domain/behaviour.hpp"
 #include "rubato/domain/heat.hpp"
@@ -131,7 +132,8 @@ private:
       return quantities_.at_points(ProbeField::stress, cell) * points.from_points;
     if (word == "E")
       return quantities_.at_points(ProbeField::strain, cell) * points.from_points;
-    return (word == "ME" ? mechanical_strain(cell) : energy_density(cell)) * points.from_points;
+    return word == "ME" ? mechanical_strain(cell) * points.from_points
+                        : energy_density(cell, points.from_points);
   }
 
   /// Tensors, without what expands freely.
@@ -146,10 +148,10 @@ private:
     return strain - free * heat->degrees(cell, temperatures_).transpose();
   }
 
-  /// ½ σ:ε of elastic materials, a row.
-  MatrixXd energy_density(std::size_t cell) {
-    const MatrixXd stress = quantities_.at_points(ProbeField::stress, cell);
-    const MatrixXd products = stress.cwiseProduct(mechanical_strain(cell));
+  /// ½ σ:ε of elastic materials at points that have their values from those of the cell, a row.
+  MatrixXd energy_density(std::size_t cell, const MatrixXd& from_points) {
+    const MatrixXd stress = quantities_.at_points(ProbeField::stress, cell) * from_points;
+    const MatrixXd products = stress.cwiseProduct(mechanical_strain(cell) * from_points);
     return products.topRows(3).colwise().sum() / 2 + products.bottomRows(3).colwise().sum();
   }
 
@@ -172,7 +174,16 @@ private:
     if (word == "ELKE")
       return kinetic_energy(cell);
     const auto volumes = quantities_.volumes(cell);
-    return word == "EVOL" ? volumes.sum() : (energy_density(cell) * volumes)(0);
+    return word == "EVOL" ? volumes.sum() : (energy_at_own_points(cell) * volumes)(0);
+  }
+
+  /// Of cells with points of lower order the function through the energies there: its integral is their sum.
+  MatrixXd energy_at_own_points(std::size_t cell) {
+    const auto& points = points_of(cell);
+    if (points.to_points.size() > 0)
+      return energy_density(cell, points.from_points) * points.to_points;
+    const auto own = static_cast<Index>(cell::stiffness_rule(type_of(cell)).size());
+    return energy_density(cell, MatrixXd::Identity(own, own));
   }
 
   const TableSource& source_;

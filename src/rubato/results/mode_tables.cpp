@@ -98,15 +98,13 @@ void add_participation(const model::Model& model, const modes::Modes& modes, Mod
   text.row("", motions.cwiseProduct(moved).colwise().sum());
 }
 
-/// The bodies displaced by the shape, φ·M φ = 1. Forces of contact are those of inertia, so that the forces
-/// which supports balance are left.
+/// The bodies displaced by the shape, φ·M φ = 1.
 step::State displaced(const model::Model& model, const modes::Modes& modes, Index k) {
   step::State state;
   state.t = 1; // of every mode, as in CalculiX
   state.motion.u = modes.shapes.col(k) / std::sqrt(modes.generalised_masses[k]);
   state.motion.v = state.motion.a = VectorXd::Zero(model.dofs.dof_count);
   state.bulk_points = model.domain.initial_states();
-  state.contact_force = -std::pow(angular_frequency(modes, k), 2) * (model.mass * state.motion.u);
   for (const auto& zone : model.zones)
     state.zones.push_back(contact::initial_state(zone));
   return state;

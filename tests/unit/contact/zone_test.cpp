@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // The points of a zone: which there are, what each weighs and which multipliers they have.
+#include "rubato/contact/enforcement.hpp"
 #include "rubato/contact/zone.hpp"
 #include "rubato/deck/read.hpp"
 
@@ -94,6 +95,23 @@ TEST_P(ZoneOn, HasOnePointOfWeightOneANodeByNodalMethods) {
     EXPECT_EQ(point.weight, 1);
   EXPECT_NEAR(area(zone), solid_ ? 1.0 : 2.0, 1e-13);
   EXPECT_TRUE(zone.points_own_multipliers);
+}
+
+TEST_P(ZoneOn, UsesAtMostAThousandTimesTheUsualAugmentationOfFriction) {
+  const auto tangential = [&](const char* integration, const char* method, const char* friction) {
+    const auto model = model_of(GetParam(), {{"contact.rest.integration", integration},
+                                             {"contact.rest.friction", "0.5"},
+                                             {"contact.rest.friction_method", friction},
+                                             {"contact.rest.method", method},
+                                             {"contact.rest.coefficients.tangential", "1e12"}});
+    const Eigen::VectorXd diagonal = Eigen::VectorXd::Ones(model.dofs.dof_count);
+    const auto& zone = model.zones.front();
+    return automatic_coefficients(zone, model.dofs, diagonal).tangential.front() * zone.edge();
+  };
+  const double most = 1e3 / 0.002;
+  EXPECT_NEAR(tangential("mortar", "augmented_lagrangian", "augmented_lagrangian"), most, 1e-9 * most);
+  EXPECT_NEAR(tangential("nodes", "penalty", "augmented_lagrangian"), most, 1e-9 * most);
+  EXPECT_GT(tangential("nodes", "penalty", "penalty"), 1e3 * most);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cells, ZoneOn,
