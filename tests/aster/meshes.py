@@ -263,7 +263,7 @@ MESHES: dict[str, Callable[[], rubato.Mesh]] = {
     "choices.med": lambda: stack((1, 1), (1, 1)),
     "stops.med": lambda: one_rectangle((2, 1), (4, 2)),
     "cook.med": lambda: one_box((1, 1, 1), (1, 1, 1)),
-    "opposite.med": lambda: stack((3, 1), (4, 1)),
+    "opposite.med": lambda: stack((5, 1), (3, 1)),
     "ring.med": two_rings,
     "edges.med": cubes_with_edges,
     "column.med": lambda: boxes((2, 1, 2), (2, 1, 2)),

@@ -21,7 +21,7 @@ STUDIES = {
     "errors.comm": 2, "excit.comm": 140, "excluded.comm": 13, "explicit.comm": 12, "failing.comm": 1,
     "fields.comm": 25, "form15.comm": 3, "friction.comm": 60, "frozen.comm": 12, "functions.comm": 12,
     "gaps.comm": 28, "gmsh.comm": 2, "groups.export": 23, "layers.comm": 8, "legs.comm": 4, "mortar.comm": 17,
-    "mortar3d.export": 10, "onesided.comm": 14, "ortho.export": 22, "oscillator.comm": 94, "pairs.export": 17,
+    "mortar3d.export": 10, "onesided.comm": 14, "opposite.comm": 24, "ortho.export": 22, "oscillator.comm": 94, "pairs.export": 17,
     "patch2d.export": 440, "patch3d.export": 259, "press.comm": 72, "press3d.export": 175, "printing.export": 3,
     "quadratic.comm": 29, "reduced.comm": 8, "refined.comm": 15, "relations.comm": 19, "restart.comm": 13,
     "ring.comm": 8, "settle.comm": 18, "sheet.comm": 24, "sheets.export": 17, "slide.comm": 23, "springs.comm": 18,
