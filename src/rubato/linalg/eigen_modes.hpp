@@ -14,8 +14,8 @@ namespace rubato::linalg {
 struct EigenModes {
   Eigen::VectorXd values;  ///< λ ≥ 0, ascending; exactly 0 of what K does not resist
   Eigen::MatrixXd vectors; ///< a column each, φ·M φ = 1, the entry of largest magnitude positive
-  /// ‖K φ − λ M φ‖ beside λ ‖M φ‖, where λ = 0 beside |σ| ‖M φ‖; with constraints, of what their forces do
-  /// not carry.
+  /// √(r·A⁻¹ r/(λ − σ)) with r = K φ − λ M φ and A = K − σ M; with constraints of what their forces do not
+  /// carry. An eigenvalue μ of the matrices is no farther from λ than that part of μ − σ.
   Eigen::VectorXd residuals;
   double shift = 0; ///< σ: 0 when K is positive definite, else < 0
   /// Whether residuals are below 1e-9, or below what rounding of K φ leaves where that is more, and no
