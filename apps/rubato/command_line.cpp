@@ -98,8 +98,9 @@ void add_modes(CLI::App& program, Arguments& arguments) {
 }
 
 void add_deck(CLI::App& program, Arguments& arguments) {
-  auto* command = program.add_subcommand(
-      "deck", "write the steps of an .inp file (Abaqus, CalculiX) as a deck, or a deck with its changes");
+  auto* command = program.add_subcommand("deck", "write the steps of an .inp file (Abaqus, CalculiX) as a "
+                                                 "deck, or a deck with its changes; or either as an "
+                                                 "input file of CalculiX");
   auto& deck = arguments.deck;
   command->add_option("source", deck.source, "an .inp file, or a YAML deck; - reads it from standard input")
       ->required()
@@ -111,8 +112,14 @@ void add_deck(CLI::App& program, Arguments& arguments) {
   command->add_option("--set", deck.settings, "change the deck: path.to.key=value")
       ->allow_extra_args(false)
       ->type_name(kind::setting);
-  command->add_option("-o,--output", deck.output, "file to write (default: standard output)")
+  command
+      ->add_option("-o,--output", deck.output,
+                   "file to write (default: standard output); FILE.inp: an input file of CalculiX")
       ->type_name(kind::file);
+  command
+      ->add_option("--modes", deck.modes,
+                   "of an input file of CalculiX: so many natural modes of the first run instead of the runs")
+      ->type_name(kind::number);
   command->callback([&arguments] { arguments.work = [&] { return app::write_deck(arguments.deck); }; });
 }
 

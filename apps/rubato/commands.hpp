@@ -38,7 +38,8 @@ int modes(const ModesArguments& arguments);
 /// What a deck is written of: the steps of an .inp file, or the runs of a deck with their changes.
 struct DeckArguments {
   std::filesystem::path source;
-  std::filesystem::path output; ///< empty: standard output
+  std::filesystem::path output; ///< empty: standard output; .inp: an input file of CalculiX
+  std::optional<int> modes;     ///< of an input file of CalculiX: that many natural modes instead of the runs
   std::vector<std::string> settings;
   std::vector<std::string> only;
 };

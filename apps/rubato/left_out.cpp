@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// A build with RUBATO_RUNS_ONLY compiles this source in place of plot.cpp, report.cpp and read_inp.cpp.
+// A build with RUBATO_RUNS_ONLY compiles this source in place of plot.cpp, report.cpp, read_inp.cpp and
+// write_inp.cpp.
 #include "rubato/core/error.hpp"
 
 #include <fmt/format.h>
 
 #include "commands.hpp"
 #include "read_inp.hpp"
+#include "write_inp.hpp"
 
 namespace rubato::app {
 namespace {
@@ -29,6 +31,10 @@ int print_quantity_names(const ShellArguments&) {
 
 int report(const ReportArguments&) {
   refuse("rubato report");
+}
+
+void write_inp(const DeckArguments& arguments) {
+  refuse(arguments.output.string());
 }
 
 StepsDeck read_inp(const std::filesystem::path& file, inp::Purpose, std::span<const deck::Setting>,

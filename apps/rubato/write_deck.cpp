@@ -5,11 +5,20 @@
 
 #include "commands.hpp"
 #include "read_deck.hpp"
+#include "write_inp.hpp"
 #include <fstream>
 
 namespace rubato::app {
 
 int write_deck(const DeckArguments& arguments) {
+  if (is_inp(arguments.output)) {
+    write_inp(arguments);
+    return done;
+  }
+  if (arguments.modes)
+    throw InputError(
+        "--modes: found it without an .inp file to write, expected -o FILE.inp: a deck has no step of "
+        "natural modes");
   auto deck = read_deck(arguments.source, arguments.settings, arguments.only);
   const bool to_file = !arguments.output.empty() && !is_standard_input(arguments.output);
   const auto folder =

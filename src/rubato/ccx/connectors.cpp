@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+// Springs, dashpots and masses. Those that act on several displacements act on a node of their own, which an
+// equation moves.
+#include "rubato/ccx/draft.hpp"
+#include "rubato/mesh/names.hpp"
+#include "rubato/model/springs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rubato::ccx {
+namespace {
+
+/// Elements that are no cells, those with the same numbers in one set.
+class Discrete {
+public:
+  explicit Discrete(Run& run) : run_(run), next_(run.draft.next_element) {}
+
+  void spring(const Place& at, const std::string& law) {
+    families_[{"SPRING1",
+               fmt::format("*SPRING{}, ELSET=@\n{}\n{}",
+                           law.find('\n') + 1 == law.size() ? "" : ", NONLINEAR", at.component, law)}]
+        .push_back(fmt::format("{}", at.node));
+  }
+  void line(std::string_view type, std::string_view keyword, std::int64_t from, std::int64_t to,
+            const std::string& law) {
+    families_[{std::string(type), fmt::format("*{}, ELSET=@\n\n{}", keyword, law)}].push_back(
+        fmt::format("{}, {}", from, to));
+  }
+  void mass(std::int64_t node, double mass) {
+    families_[{"MASS", fmt::format("*MASS, ELSET=@\n{}\n", shown_number(mass))}].push_back(
+        fmt::format("{}", node));
+  }
+
+  void finish(std::string_view name) {
+    int count = 0;
+    for (const auto& [key, elements] : families_) {
+      const auto set = fmt::format("{}_{}", name, ++count);
+      run_.body += fmt::format("*ELEMENT, TYPE={}, ELSET={}\n", key.first, set);
+      for (const auto& nodes : elements)
+        run_.body += fmt::format("{}, {}\n", next_++, nodes);
+      auto section = key.second;
+      section.replace(section.find('@'), 1, set);
+      run_.body += section;
+    }
+    run_.draft.next_element = std::max(run_.draft.next_element, next_);
+  }
+
+private:
+  Run& run_;
+  std::int64_t next_;
+  std::map<std::pair<std::string, std::string>, std::vector<std::string>> families_; ///< by type and section
+};
+
+std::string linear_law(double stiffness) {
+  return shown_number(stiffness) + "\n";
+}
+
+std::string table_law(const LinearTable& table) {
+  std::string text;
+  for (std::size_t i = 0; i < table.at.size(); ++i)
+    text += fmt::format("{}, {}\n", shown_number(table.values[i]), shown_number(table.at[i]));
+  return text;
+}
+
+/// The displacement Σ row · u as that of a node of its own along x.
+Place place_along(Run& run, std::span<const constraint::Term> row, const std::string& purpose) {
+  const auto name = "along " + purpose;
+  const Place at{made_node(run.draft, name), 1};
+  std::map<Place, double> sums;
+  for (const auto& term : row)
+    sums[place_of(run, term.dof)] -= term.coefficient;
+  std::vector<PlaceTerm> terms{{at, 1}};
+  for (const auto& [place, coefficient] : sums)
+    if (coefficient != 0)
+      terms.push_back({place, coefficient});
+  write_equation(run.body, terms);
+  return at;
+}
+
+/// The number of the one node that has that name; nothing of references and groups.
+std::optional<std::int64_t> node_named(const Run& run, const std::string& name) {
+  const auto nodes = mesh::find_nodes(run.model.mesh, name).nodes;
+  if (nodes.size() != 1)
+    return std::nullopt;
+  return run.draft.node_numbers[static_cast<std::size_t>(nodes.front())];
+}
+
+void add_turning(Run& run, Discrete& springs, const model::Connector& connector, std::size_t i) {
+  const auto& line = *connector.line;
+  const auto& way = *connector.way;
+  if (!run.nonlinear)
+    return run.refuse("connectors",
+                      "found a spring that rotates beside bodies with small strains; springs of "
+                      "CalculiX turn with NLGEOM alone, expected 'strain: green_lagrange'");
+  if (line.dashpot.acts() || line.spring.table)
+    return run.refuse("connectors",
+                      "found a dashpot or a table that rotates; CalculiX has stiffnesses alone, "
+                      "expected one");
+  const auto from = node_named(run, way.on);
+  auto to = way.to.empty() ? std::nullopt : node_named(run, way.to);
+  if (way.to.empty() && from) {
+    const auto node = mesh::find_nodes(run.model.mesh, way.on).nodes.front();
+    to = made_node(run.draft, fmt::format("fixed anchor {}", i),
+                   run.model.mesh.points[static_cast<std::size_t>(node)] + way.undeformed);
+  }
+  if (!from || !to)
+    return run.refuse("connectors",
+                      "found a spring that rotates at a reference or a group; CalculiX has SPRINGA "
+                      "between two nodes, expected nodes");
+  springs.line("SPRINGA", "SPRING", *from, *to, linear_law(line.spring.slope));
+}
+
+void add_connector(Run& run, Discrete& springs, std::size_t i) {
+  const auto& connector = run.model.connectors[i];
+  if (connector.line)
+    return add_turning(run, springs, connector, i);
+  const bool has_spring = connector.stiffness > 0 || connector.force;
+  const bool has_dashpot = (connector.damping > 0 || connector.damper) && !run.is_static() && !run.modes;
+  if (has_dashpot)
+    run.refuse("connectors",
+               "found damping; dashpots of CalculiX act in harmonic steps alone, expected none");
+  if (!has_spring)
+    return;
+  const auto law = connector.force ? table_law(*connector.force) : linear_law(connector.stiffness);
+  if (connector.force && connector.force->at.size() == 1)
+    return run.refuse("connectors", "found a table of one point, expected two at least");
+  springs.spring(place_along(run, connector.row, fmt::format("connector {}", i)), law);
+}
+
+} // namespace
+
+void write_springs(Run& run) {
+  if (run.model.springs.empty() && run.model.connectors.empty())
+    return;
+  if (run.study().physics == study::Physics::axisymmetric)
+    return run.refuse(
+        run.model.springs.empty() ? "connectors" : "springs",
+        "found springs of rings, which CalculiX cuts into a wedge without them; expected other physics");
+  Discrete springs(run);
+  for (const auto& spring : run.model.springs) {
+    const constraint::Term own{spring.dof, 1};
+    const auto at = run.is_plane() ? place_along(run, {&own, 1}, fmt::format("spring {}", spring.dof))
+                                   : place_of(run, spring.dof);
+    springs.spring(at, linear_law(spring.stiffness));
+  }
+  for (std::size_t i = 0; i < run.model.connectors.size(); ++i)
+    add_connector(run, springs, i);
+  springs.finish("spring");
+}
+
+void write_masses(Run& run) {
+  const bool of_references =
+      std::ranges::any_of(run.model.connectors, [](const auto& connector) { return connector.mass > 0; });
+  if (run.is_static() || (run.model.point_masses.empty() && !of_references))
+    return;
+  if (run.study().physics == study::Physics::axisymmetric)
+    return run.refuse("masses",
+                      "found masses of rings, which CalculiX cuts into a wedge without them; expected other "
+                      "physics");
+  Discrete masses(run);
+  for (const auto& point : run.model.point_masses) {
+    if (!run.is_plane()) {
+      masses.mass(run.draft.node_numbers[static_cast<std::size_t>(point.node)], point.mass);
+      continue;
+    }
+    for (int i = 0; i < run.model.dofs.components; ++i) {
+      const constraint::Term own{run.model.dofs.dof(point.node, i), 1};
+      masses.mass(place_along(run, {&own, 1}, fmt::format("mass {}", own.dof)).node, point.mass);
+    }
+  }
+  for (std::size_t i = 0; i < run.model.connectors.size(); ++i)
+    if (const auto& connector = run.model.connectors[i]; connector.mass > 0)
+      masses.mass(place_along(run, connector.row, fmt::format("mass of reference {}", i)).node,
+                  connector.mass);
+  masses.finish("mass");
+}
+
+} // namespace rubato::ccx

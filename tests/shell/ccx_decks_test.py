@@ -1,0 +1,207 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Decks written as input files of CalculiX: CalculiX' displacements and forces, and those of the file read back."""
+
+import copy
+import csv
+import json
+import shutil
+import subprocess
+
+import ccx_files
+import corpus
+import pytest
+
+STEEL = {"young": 2e5, "poisson": 0.3, "density": 7.8e-9}
+STATIC = {"scheme": "static", "step": 1, "end": 1}
+RAMP = {"ramp": {"times": [0, 1], "values": [0, 1]}}
+TABLES = {"tables": [{"nodes": "all", "quantities": ["U"], "every": 100000},
+                     {"nodes": "clamped", "quantities": ["RF"], "totals": "only", "every": 100000}]}
+
+
+def bar(cells="hexa8", divisions=(4, 2, 2), material=None, **more):
+    """A bar along x, held at its left side."""
+    solid = not cells.startswith(("tria", "quad"))
+    end = [4, 1, 1] if solid else [4, 1]
+    sides = {"left": "clamped", "right": "tip", "top": "roof", "bottom": "floor"}
+    points = {"right_top_front": "corner"} if solid else {"right_top": "corner"}
+    shape = {"box" if solid else "rectangle": {"from": [0] * len(end), "to": end}}
+    body = {"name": "bar", **shape, "divisions": list(divisions)[: len(end)], "cells": cells, "sides": sides, "points": points}
+    deck = {
+        "title": "bar", "physics": "solid" if solid else "plane_strain", "mesh": {"generate": [body]},
+        "materials": {"steel": material or STEEL}, "supports": [{"on": "clamped", "fix": ["x", "y", "z"][: len(end)]}],
+        "loads": [{"nodal_force": {"on": "tip", "x": 30, "y": -5}}], "time": STATIC,
+        "probes": {"corner": {"node": "corner"}}, "fields": TABLES,
+    }
+    return deck | more
+
+
+def moved(deck, **functions):
+    """The deck with its bodies at another place."""
+    deck = copy.deepcopy(deck)
+    for body in deck["mesh"]["generate"]:
+        shape = body.get("rectangle") or body["box"]
+        for side in ("from", "to"):
+            shape[side] = [a + b for a, b in zip(shape[side], functions["by"], strict=True)]
+    return deck
+
+
+def blocks(cells="quad8", friction=0.0, **zone):
+    """A block pressed on a wider one and pushed aside."""
+    up = {"name": "up", "rectangle": {"from": [1.5, 2], "to": [4.5, 3]}, "divisions": [6, 2], "cells": cells,
+          "sides": {"bottom": "sole", "top": "lid"}, "points": {"left_top": "corner"}}
+    low = {"name": "low", "rectangle": {"from": [0, 0], "to": [6, 2]}, "divisions": [12, 4], "cells": cells,
+           "sides": {"bottom": "clamped", "top": "table"}}
+    return {
+        "physics": "plane_strain", "mesh": {"generate": [low, up]}, "materials": {"steel": STEEL},
+        "functions": RAMP,
+        "supports": [{"on": "clamped", "fix": ["x", "y"]}, {"on": "lid", "x": {"value": 0.002, "function": "ramp"},
+                                                            "y": {"value": -0.01, "function": "ramp"}}],
+        "contact": {"joint": {"master": "table", "slave": "sole", "friction": friction, **zone}},
+        "time": {"scheme": "static", "step": 0.1, "end": 1}, "probes": {"corner": {"node": "corner"}}, "fields": TABLES,
+    }
+
+
+def cubes(cells="hexa8", **zone):
+    """A block on a wider one, in space."""
+    up = {"name": "up", "box": {"from": [1, 1, 1], "to": [3, 2, 2]}, "divisions": [4, 2, 2], "cells": cells,
+          "sides": {"back": "sole", "front": "lid"}, "points": {"left_top_front": "corner"}}
+    low = {"name": "low", "box": {"from": [0, 0, 0], "to": [4, 3, 1]}, "divisions": [4, 3, 1], "cells": cells,
+           "sides": {"back": "clamped", "front": "table"}}
+    deck = blocks(**zone)
+    motion = {"x": {"value": 0.002, "function": "ramp"}, "y": 0, "z": {"value": -0.01, "function": "ramp"}}
+    return deck | {"physics": "solid", "mesh": {"generate": [low, up]}, "supports": [
+        {"on": "clamped", "fix": ["x", "y", "z"]}, {"on": "lid", **motion}]}
+
+
+def tied(deck):
+    deck["contact"]["joint"] = {"master": "table", "slave": "sole", "tie": True}
+    return deck | {"time": STATIC}
+
+
+def pulled(value, axes="xyz"):
+    """The bar's end is moved along x over ten steps."""
+    return {"functions": RAMP, "time": {"scheme": "static", "step": 0.1, "end": 1}, "loads": [], "supports": [
+        {"on": "clamped", "fix": list(axes)}, {"on": "tip", "x": {"value": value, "function": "ramp"}}]}
+
+
+EXACT = 2e-6  # numbers of .dat files have seven digits
+NEAR = 1e-2
+AGAIN = 1e-9
+
+WOOD = {"law": "orthotropic", "young_x": 1e4, "young_y": 500, "young_z": 800, "poisson_xy": 0.4, "poisson_yz": 0.3,
+        "poisson_xz": 0.35, "shear_xy": 700, "shear_yz": 60, "shear_xz": 650, "angle_z": 30, "angle_y": 20}
+PLASTIC = STEEL | {"law": "plastic", "hardening": {"linear": {"yield_stress": 250, "modulus": 1000}}, "formulation": "full"}
+RUBBER = {"law": "hyperelastic", "c10": 0.8, "c01": 0.2, "bulk": 100, "volumetric": "quadratic", "formulation": "full"}
+WARM = STEEL | {"expansion": 1e-5, "reference_temperature": 20}
+PRESSED = [{"pressure": {"on": "roof", "value": 3}}]
+FINITE = STEEL | {"strain": "green_lagrange"}
+DYNAMIC = {"scheme": "hht", "alpha": -0.05, "step": 2e-6, "end": 1e-4}
+
+# Deck; how near CalculiX' results are; how near those of the file that is read back are.
+CASES = {
+    "plane strain": (bar("quad4"), EXACT, AGAIN),
+    "plane strain, quadratic": (bar("quad8", loads=PRESSED), EXACT, AGAIN),
+    "plane stress": (bar("quad8", physics="plane_stress", thickness=0.1), NEAR, AGAIN),
+    "triangles": (bar("tria6"), EXACT, AGAIN),
+    "rings": (moved(bar("quad8", physics="axisymmetric", loads=PRESSED), by=[10, 0]), 1e-3, AGAIN),
+    "bricks": (bar("hexa8", loads=[*PRESSED, {"gravity": {"y": -9810}}]), EXACT, AGAIN),
+    "bricks, quadratic": (bar("hexa20", divisions=(3, 1, 1), loads=PRESSED), EXACT, AGAIN),
+    "bricks, reduced": (bar("hexa20", divisions=(3, 2, 2), material=STEEL | {"formulation": "reduced"}), EXACT, AGAIN),
+    "bricks, enhanced": (bar("hexa8", material=STEEL | {"formulation": "enhanced"}), NEAR, AGAIN),
+    "tetrahedra": (bar("tetra10", loads=[{"gravity": {"y": -9810}}]), EXACT, AGAIN),
+    "prisms": (bar("penta15", material=STEEL | {"formulation": "reduced"}), EXACT, AGAIN),
+    "a pressure that depends on the place": (bar("hexa8", loads=[{"pressure": {"on": "roof", "value": "3*x^2"}}]), EXACT, AGAIN),
+    "two forces on the same nodes": (bar("hexa8", functions=RAMP, loads=[
+        {"nodal_force": {"on": "tip", "y": -5, "function": "ramp"}}, {"nodal_force": {"on": "corner", "y": 2}}]), EXACT, AGAIN),
+    "orthotropic": (bar("hexa20", divisions=(3, 1, 1), material=WOOD), EXACT, AGAIN),
+    "warm": (bar("hexa8", material=WARM, loads=[], temperature=[{"on": "all", "value": 120}]), EXACT, AGAIN),
+    "plastic": (bar("hexa8", material=PLASTIC, **pulled(0.02)), NEAR, AGAIN),
+    "rubber": (bar("hexa8", material=RUBBER, **pulled(1.0)), 1e-3, AGAIN),
+    "large deflections": (bar("hexa20", divisions=(3, 1, 1), material=FINITE, functions=RAMP,
+                              time={"scheme": "static", "step": 0.25, "end": 1},
+                              loads=[{"pressure": {"on": "roof", "value": 300, "function": "ramp", "follower": True}}]), 1e-3, AGAIN),
+    "motion": (bar("hexa8", time=DYNAMIC), 5e-3, AGAIN),
+    "a body that flies": (bar("hexa8", supports=[], time=DYNAMIC | {"alpha": 0}, loads=[], fields={"tables": TABLES["tables"][:1]},
+                              initial=[{"on": "bar", "velocity": {"x": 100, "y": 3}}]), 1e-4, AGAIN),
+    "equation": (bar("hexa8", relations={"even": {"equal": {"on": "tip", "in": ["x"]}}, "one": {"equation": {
+        "terms": [{"on": "corner", "y": 1, "z": -2}], "value": 0.01}}}), EXACT, AGAIN),
+    "coupling": (bar("hexa8", relations={"head": {"rigid": {"on": "tip", "at": [5, 0.5, 0.5]}}}, loads=[
+        {"nodal_force": {"on": "head", "y": -20}}, {"moment": {"on": "head", "x": 7, "z": 3}}]), EXACT, AGAIN),
+    "distributed coupling": (bar("hexa8", relations={"head": {"distributed": {"on": "tip", "at": [5, 0.5, 0.5]}}}, supports=[
+        {"on": "clamped", "fix": ["x", "y", "z"]}, {"on": "head", "x": 0.01}], loads=[{"moment": {"on": "head", "x": 7, "z": 3}}]), EXACT, AGAIN),
+    "springs": (bar("hexa8", springs=[{"on": "roof", "y": 1000}], connectors=[
+        {"on": "corner", "along": [1, 2, 2], "stiffness": 3000}]), EXACT, AGAIN),
+    "springs in the plane": (bar("quad4", springs=[{"on": "roof", "y": 1000}]), EXACT, AGAIN),
+    "slanted support": (bar("hexa8", supports=[{"on": "clamped", "fix": ["x", "y", "z"]},
+                                               {"on": "corner", "along": [1, 1, 0], "value": 0.02}]), EXACT, AGAIN),
+    "masses": (bar("hexa8", time=DYNAMIC, masses=[{"on": "tip", "mass": 1e-8}]), 1e-3, AGAIN),
+    "contact": (blocks(), NEAR, None),
+    "contact with friction": (blocks(friction=0.3), 2e-2, None),
+    "contact by a penalty": (blocks(method="penalty", coefficients={"normal": 1e7}), NEAR, None),
+    "contact in space": (cubes(friction=0.3), 3e-2, None),
+    "contact of quadratic cells": (cubes("hexa20"), NEAR, None),
+    "tie": (tied(cubes()), 2e-2, None),
+    "tie in the plane": (tied(blocks()), NEAR, None),
+}
+
+
+def last_of(path, heading):
+    found = [rows for words, _, rows in ccx_files.tables(path) if words.startswith(heading)]
+    assert found, f"{path} has no table of {heading}"
+    return [[float(word) for word in row.split()] for row in found[-1]]
+
+
+def difference(ours, theirs):
+    size = max([abs(x) for row in theirs for x in row] + [1e-6])
+    return max(abs(a - b) for r, s in zip(ours, theirs, strict=True) for a, b in zip(r, s, strict=True)) / size
+
+
+def last_probe(path):
+    with path.open(encoding="utf-8") as file:
+        rows = list(csv.reader(line for line in file if not line.startswith("#")))
+    return {key.lower().replace("_u", ""): float(value) for key, value in zip(rows[0], rows[-1], strict=True)}
+
+
+def write(folder, deck, *options):
+    (folder / "a.yaml").write_text(json.dumps(deck))
+    return corpus.outcome("deck", str(folder / "a.yaml"), "-o", str(folder / "a.inp"), *options)
+
+
+def by_ccx(folder):
+    if shutil.which("ccx") is None:
+        pytest.skip("CalculiX is missing (make deps CCX=1)")
+    done = subprocess.run(["ccx", "a"], cwd=folder, text=True, capture_output=True, timeout=60, check=False)
+    assert "Job finished" in done.stdout, done.stdout[-2000:]
+    return folder / "a.dat"
+
+
+def own(folder):
+    code, _, errors = corpus.outcome("run", str(folder / "a.yaml"), "-o", str(folder / "own"))
+    assert code == 0, errors
+    return folder / "own/run"
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_ccx_has_the_same_results(tmp_path, name):
+    deck, tolerance, _ = CASES[name]
+    code, _, errors = write(tmp_path, deck)
+    assert code == 0, errors
+    theirs, ours = by_ccx(tmp_path), own(tmp_path) / "tables.dat"
+    wanted = {row[0]: row[1:] for row in last_of(ours, "displacements")}
+    found = {row[0]: row[1:] for row in last_of(theirs, "displacements (vx,vy,vz) for set NALL")}
+    assert difference([wanted[n] for n in wanted], [found[n] for n in wanted]) < tolerance
+    if "clamped" in str(deck["supports"]) and deck["physics"] != "axisymmetric":
+        totals = [last_of(path, "total force") for path in (ours, theirs)]
+        assert difference(*totals) < tolerance
+
+
+@pytest.mark.parametrize("name", [name for name in CASES if CASES[name][2]])
+def test_the_file_read_back_has_the_same_results(tmp_path, name):
+    deck, _, tolerance = CASES[name]
+    assert write(tmp_path, deck)[0] == 0
+    code, _, errors = corpus.outcome("run", str(tmp_path / "a.inp"), "-o", str(tmp_path / "back"))
+    assert code == 0, errors
+    wanted, found = last_probe(own(tmp_path) / "probes.csv"), last_probe(tmp_path / "back/run/probes.csv")
+    size = max(abs(value) for key, value in wanted.items() if key != "t")
+    for key in [key for key in wanted if key.startswith("corner")]:
+        assert abs(wanted[key] - found[key]) < tolerance * size, key
