@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Decks.
+#include "rubato/ccx/write.hpp"
 #include "rubato/core/error.hpp"
 #include "rubato/core/naming.hpp"
+#include "rubato/core/writing.hpp"
 #include "rubato/deck/read.hpp"
 
 #include <fmt/format.h>
@@ -9,6 +11,7 @@
 #include "bind.hpp"
 #include "values.hpp"
 #include <algorithm>
+#include <fstream>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
@@ -65,6 +68,24 @@ std::vector<std::string> only(const std::optional<std::string>& run) {
   return run ? std::vector{*run} : std::vector<std::string>();
 }
 
+/// Writes the runs, or the natural modes of the first one; returns what differs.
+std::vector<std::string> write_inp(const std::vector<study::Study>& runs, const std::filesystem::path& path,
+                                   const std::optional<int>& modes) {
+  if (runs.empty())
+    throw InputError("found no study, expected one at least", {path.string()});
+  ccx::InputFile file;
+  const std::size_t count = modes ? 1 : runs.size();
+  for (std::size_t i = 0; i < count; ++i)
+    file.add(runs[i], modes ? std::optional(ccx::Frequencies{.number = *modes, .lowest = 0, .highest = {}})
+                            : std::nullopt);
+  write_whole(path, [&](const std::filesystem::path& beside) {
+    std::ofstream stream(beside, std::ios::binary);
+    stream << file.text();
+    finish_writing(stream, path);
+  });
+  return file.notes();
+}
+
 } // namespace
 
 void bind_deck(py::module_& module) {
@@ -107,6 +128,22 @@ file_name stands in the places of faults; its folder is where mesh files are.)")
       },
       py::arg("text"), py::arg("runs") = py::list(), py::arg("settings") = py::dict(),
       py::arg("file_name") = "deck", "The same as load_all() of a deck that is given as text.");
+  module.def(
+      "write_inp",
+      [](const py::object& studies, const std::filesystem::path& path, const std::optional<int>& modes) {
+        std::vector<study::Study> runs;
+        if (py::isinstance<py::list>(studies) || py::isinstance<py::tuple>(studies))
+          for (const auto& study : studies)
+            runs.push_back(Codec<study::Study>::from(study, "studies"));
+        else
+          runs.push_back(Codec<study::Study>::from(studies, "studies"));
+        return write_inp(runs, path, modes);
+      },
+      py::arg("studies"), py::arg("path"), py::arg("modes") = py::none(),
+      R"(Writes a study, or a list of studies that follow one another, as an input file of CalculiX.
+
+modes: so many natural modes of the first study instead. Returns sentences on what differs in CalculiX, which are the
+first lines of the file too. Raises InputError for each key that CalculiX has no counterpart of.)");
 }
 
 } // namespace rubato::python

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "inp_comments.hpp"
 #include "read_deck.hpp"
 #include "write_inp.hpp"
 #include <fstream>
@@ -26,7 +27,9 @@ int write_deck(const DeckArguments& arguments) {
   for (auto& study : deck.runs)
     if (!study.mesh.file.empty())
       study.mesh.file = std::filesystem::absolute(study.mesh.file).lexically_proximate(folder).string();
-  const auto text = deck_text(deck.runs);
+  auto text = deck_text(deck.runs);
+  if (is_inp(arguments.source))
+    text = with_comments(text, deck, arguments.source);
   for (const auto& note : deck.notes)
     fmt::print(stderr, "{}\n", note);
   if (!to_file) {

@@ -3,6 +3,7 @@
 #include "rubato/ccx/draft.hpp"
 #include "rubato/contact/zone.hpp"
 #include "rubato/material/make_point_law.hpp"
+#include "rubato/mesh/names.hpp"
 #include "rubato/study/fields.hpp"
 
 #include <fmt/format.h>
@@ -51,17 +52,49 @@ public:
     const double stiffness = normal_stiffness(zone);
     run_.body += fmt::format("*SURFACE INTERACTION, NAME={}\n{}", interaction, behaviour(zone, stiffness));
     run_.body += friction(zone, stiffness);
-    const bool on_nodes = settings.integration.by == study::ContactIntegration::nodes;
+    const auto remaining = nodes_with_contact(zone);
+    const bool on_nodes = remaining.size() < zone.slave.nodes.size();
+    const auto touching = on_nodes ? surface_of_nodes(remaining, settings.name + "_nodes") : slave;
     run_.body += fmt::format("*CONTACT PAIR, INTERACTION={}, TYPE={}{}\n{}, {}\n", interaction,
                              on_nodes ? "NODE TO SURFACE" : "SURFACE TO SURFACE",
-                             settings.freeze && on_nodes ? ", SMALL SLIDING" : "", slave, master);
-    add_note(run_.draft, fmt::format("{}: contact is by springs at {} in CalculiX, {} in rubato: forces and "
-                                     "displacements differ by about 1 %",
-                                     path_, on_nodes ? "slave nodes" : "points of slave faces",
-                                     on_nodes ? "at slave nodes" : "by integrals over faces"));
+                             settings.freeze && on_nodes ? ", SMALL SLIDING" : "", touching, master);
+    add_note(run_.draft,
+             fmt::format("{}: CalculiX has contact at {}, rubato {}: forces and displacements differ by "
+                         "about 1 %",
+                         path_, on_nodes ? "slave nodes" : "points of slave faces",
+                         settings.integration.by == study::ContactIntegration::mortar
+                             ? "integrals over faces"
+                             : "at points of its own"));
   }
 
 private:
+  bool is_held(mesh::NodeIndex node) const {
+    for (int i = 0; i < run_.model.dofs.components; ++i)
+      if (!run_.model.reduction.is_prescribed(run_.model.dofs.dof(node, i)))
+        return false;
+    return true;
+  }
+
+  /// Slave nodes without those that the study leaves out. Those that supports hold move nothing, with contact
+  /// or without.
+  std::vector<mesh::NodeIndex> nodes_with_contact(const contact::Zone& zone) const {
+    auto nodes = zone.slave.nodes;
+    for (const auto& name : zone.settings.exclude_nodes) {
+      const auto excluded = mesh::find_nodes(run_.model.mesh, name).nodes;
+      std::erase_if(nodes, [&](mesh::NodeIndex node) {
+        return std::ranges::binary_search(excluded, node) && !is_held(node);
+      });
+    }
+    return nodes;
+  }
+
+  std::string surface_of_nodes(std::span<const mesh::NodeIndex> nodes, const std::string& name) {
+    const auto set = label_of_nodes(run_, nodes, name);
+    const auto label = run_.draft.labels.chosen(body_kind() + " surface", name);
+    run_.body += fmt::format("*SURFACE, NAME={}, TYPE=NODE\n{}\n", label, set);
+    return label;
+  }
+
   /// Labels of interactions are chosen anew for each run, so that equal runs have equal texts.
   std::string body_kind() const { return "INTERACTION" + run_.study().name; }
 
@@ -201,10 +234,6 @@ void check_zone(Run& run, const ContactZone& zone, const std::string& path) {
   if (zone.friction_in_place)
     run.refuse(path + ".friction",
                "found friction that depends on the place; CalculiX has one number, expected one");
-  if (!zone.exclude_nodes.empty())
-    run.refuse(path + ".exclude_nodes",
-               "found nodes without contact; CalculiX takes those of all slave faces, expected "
-               "none");
   if (zone.restitution != 0)
     run.refuse(path + ".restitution", "found a restitution; CalculiX has none, expected 0");
   if (zone.method == ContactMethod::nodal_penalty)
