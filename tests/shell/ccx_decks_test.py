@@ -4,6 +4,7 @@
 import copy
 import csv
 import json
+import re
 import shutil
 import subprocess
 
@@ -92,6 +93,9 @@ WOOD = {"law": "orthotropic", "young_x": 1e4, "young_y": 500, "young_z": 800, "p
         "poisson_xz": 0.35, "shear_xy": 700, "shear_yz": 60, "shear_xz": 650, "angle_z": 30, "angle_y": 20}
 PLASTIC = STEEL | {"law": "plastic", "hardening": {"linear": {"yield_stress": 250, "modulus": 1000}}, "formulation": "full"}
 RUBBER = {"law": "hyperelastic", "c10": 0.8, "c01": 0.2, "bulk": 100, "volumetric": "quadratic", "formulation": "full"}
+YEOH = {"law": "yeoh", "c10": 0.8, "c20": 0.1, "c30": 0.02, "bulk": 100, "volumetric": "quadratic", "formulation": "full"}
+OGDEN = {"law": "ogden", "terms": [{"shear": 1.2, "exponent": 1.5}, {"shear": 0.1, "exponent": 4}], "bulk": 100,
+         "volumetric": "quadratic", "formulation": "full"}
 WARM = STEEL | {"expansion": 1e-5, "reference_temperature": 20}
 PRESSED = [{"pressure": {"on": "roof", "value": 3}}]
 FINITE = STEEL | {"strain": "green_lagrange"}
@@ -117,6 +121,10 @@ CASES = {
     "warm": (bar("hexa8", material=WARM, loads=[], temperature=[{"on": "all", "value": 120}]), EXACT, AGAIN),
     "plastic": (bar("hexa8", material=PLASTIC, **pulled(0.02)), NEAR, AGAIN),
     "rubber": (bar("hexa8", material=RUBBER, **pulled(1.0)), 1e-3, AGAIN),
+    "yeoh": (bar("hexa8", material=YEOH, **pulled(1.0)), 1e-3, AGAIN),
+    "ogden": (bar("hexa8", material=OGDEN, **pulled(1.0)), 1e-3, AGAIN),
+    "hardening by a table": (bar("hexa20", material=PLASTIC | {"hardening": {
+        "table": [[0, 250], [0.01, 300], [0.05, 310]]}}, divisions=(2, 1, 1), **pulled(0.02)), NEAR, AGAIN),
     "large deflections": (bar("hexa20", divisions=(3, 1, 1), material=FINITE, functions=RAMP,
                               time={"scheme": "static", "step": 0.25, "end": 1},
                               loads=[{"pressure": {"on": "roof", "value": 300, "function": "ramp", "follower": True}}]), 1e-3, AGAIN),
@@ -205,3 +213,105 @@ def test_the_file_read_back_has_the_same_results(tmp_path, name):
     size = max(abs(value) for key, value in wanted.items() if key != "t")
     for key in [key for key in wanted if key.startswith("corner")]:
         assert abs(wanted[key] - found[key]) < tolerance * size, key
+
+
+def test_runs_that_follow_one_another(tmp_path):
+    deck = bar("hexa8") | {"runs": {"first": {}, "second": {"time": {"begin": 1, "end": 2, "start": {"from": "first"}}, "loads": [
+        {"nodal_force": {"on": "tip", "z": 7}}, {"pressure": {"on": "roof", "value": 3}}, {"gravity": {"y": 1e7}}]}}}
+    code, _, errors = write(tmp_path, deck)
+    assert code == 0, errors
+    theirs = by_ccx(tmp_path)
+    assert corpus.outcome("run", str(tmp_path / "a.yaml"), "-o", str(tmp_path / "own"))[0] == 0
+    assert corpus.outcome("run", str(tmp_path / "a.inp"), "-o", str(tmp_path / "back"))[0] == 0
+    wanted = {row[0]: row[1:] for row in last_of(tmp_path / "own/second/tables.dat", "displacements")}
+    found = {row[0]: row[1:] for row in last_of(theirs, "displacements (vx,vy,vz) for set NALL")}
+    assert difference([wanted[n] for n in wanted], [found[n] for n in wanted]) < EXACT
+    again = {row[0]: row[1:] for row in last_of(tmp_path / "back/a.dat", "displacements (vx,vy,vz) for set NALL")}
+    assert difference([wanted[n] for n in wanted], [again[n] for n in wanted]) < EXACT
+
+
+@pytest.mark.parametrize("cells", ["hexa8", "hexa20", "quad8"])
+def test_natural_modes(tmp_path, cells):
+    code, _, errors = write(tmp_path, bar(cells), "--modes", "5")
+    assert code == 0, errors
+    theirs = by_ccx(tmp_path)
+    code, output, errors = corpus.outcome("modes", str(tmp_path / "a.yaml"), "--number", "5", "-o", str(tmp_path / "own"))
+    assert code == 0, errors
+    rows = re.findall(r"^ +(\d+) +0\.\d+E[+-]\d+ +\S+ +(\S+) ", theirs.read_text(), re.MULTILINE)
+    with (tmp_path / "own/run/modes.csv").open(encoding="utf-8") as file:
+        own = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    wanted = [float(row["frequency"]) for row in own]
+    found = [float(row[1]) for row in rows[:5]]
+    assert found == pytest.approx(wanted, rel=EXACT)
+
+
+REFUSED = {
+    "base_motion": ({"base_motion": {"y": {"acceleration": "sin(t)"}}, "time": DYNAMIC}, "found a moving base"),
+    "explicit": ({"time": {"scheme": "central_difference", "step": "auto", "end": 1e-4, "record": 1e-5}}, "found central_difference"),
+    "energy": ({"time": {"scheme": "energy_momentum", "step": 1e-6, "end": 1e-5}, "materials": {"steel": FINITE}}, "found energy_momentum"),
+    "newmark": ({"time": {"scheme": "newmark", "beta": 0.3, "gamma": 0.6, "step": 1e-6, "end": 1e-5}}, "found beta 0.3 and gamma 0.6"),
+    "until": ({"supports": [{"on": "clamped", "fix": ["x", "y", "z"]}, {"on": "corner", "fix": ["z"], "until": 0.5}]},
+              "found the end of a support within a run"),
+    "obstacle": ({"contact": {"wall": {"obstacle": {"plane": {"point": [0, 0, 0], "normal": [0, 1, 0]}}, "slave": "floor"}}},
+                 "found an obstacle"),
+    "place": ({"materials": {"steel": STEEL | {"young": "2e5+x"}}}, "found a value that depends on the place"),
+    "cells": ({"mesh": bar("hexa27")["mesh"]}, "found HEXA27 cells"),
+    "prony": ({"materials": {"steel": {"law": "prony", "young": 2e5, "poisson": 0.3, "terms": [{"shear": 1e4, "time": 1}]}}}, "found the law prony"),
+    "kinematic": ({"materials": {"steel": PLASTIC | {"kinematic": [{"modulus": 1000}]}}}, "found kinematic hardening"),
+    "place and time": ({"loads": [{"pressure": {"on": "roof", "value": "x*t"}}]}, "a value that changes with place and time at once"),
+    "dashpot": ({"connectors": [{"on": "corner", "along": [1, 0, 0], "damping": 1}], "time": DYNAMIC}, "dashpots of CalculiX"),
+    "gap": (cubes(gap=0.1) | {"loads": []}, "found a distance that is added to that of the meshes"),
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_what_does_not_map_is_refused(tmp_path, name):
+    changes, sentence = REFUSED[name]
+    (tmp_path / "a.inp").write_text("before")
+    code, _, errors = write(tmp_path, bar("hexa8") | changes)
+    assert code == 2, errors
+    assert sentence in errors
+    assert "a.yaml:1:" in errors
+    assert (tmp_path / "a.inp").read_text() == "before"
+
+
+def test_notes_are_the_head_of_the_file(tmp_path):
+    code, _, errors = write(tmp_path, bar("hexa8", material=STEEL | {"formulation": "enhanced"}))
+    assert code == 0
+    assert "C3D8I has other incompatible modes than 'enhanced'" in errors
+    assert (tmp_path / "a.inp").read_text().startswith("** C3D8I has other incompatible modes")
+
+
+def test_names_that_calculix_takes(tmp_path):
+    deck = bar("hexa8")
+    deck["mesh"]["generate"][0]["sides"] |= {"front": "1st side", "back": "Tip"}
+    code, _, errors = write(tmp_path, deck)
+    assert code == 0
+    assert "1st side is N1st_side" in errors
+    text = (tmp_path / "a.inp").read_text()
+    assert "NSET=N1st_side\n" in text
+    assert "NSET=Tip_2\n" in text or "NSET=tip_2\n" in text
+    by_ccx(tmp_path)
+
+
+OWN_INPUTS = ["c3d8", "c3d20r", "cpe4", "cax8", "amplitudes", "relations", "gravity", "rigid_body", "two_steps", "points", "orientation"]
+
+
+@pytest.mark.parametrize("name", OWN_INPUTS)
+def test_inputs_are_written_again(tmp_path, name):
+    """What rubato computes of an input file, it computes of the one that it writes of its study."""
+    source = corpus.SOURCES / f"tests/inp/{name}.inp"
+    code, _, errors = corpus.outcome("deck", str(source), "-o", str(tmp_path / "a.inp"))
+    assert code == 0, errors
+    for path, folder in ((source, "own"), (tmp_path / "a.inp", "back")):
+        code, _, errors = corpus.outcome("run", str(path), "-o", str(tmp_path / folder))
+        assert code in (0, 1), errors
+    runs = sorted(path.name for path in (tmp_path / "own").iterdir() if (path / "probes.csv").exists())
+    again = sorted(path.name for path in (tmp_path / "back").iterdir() if (path / "probes.csv").exists())
+    assert len(runs) == len(again) > 0
+    for one, other in zip(runs, again, strict=True):
+        wanted, found = last_probe(tmp_path / "own" / one / "probes.csv"), last_probe(tmp_path / "back" / other / "probes.csv")
+        shared = [key for key in wanted if key in found and key != "t"]
+        size = max([abs(wanted[key]) for key in shared] + [1e-300])
+        assert all(abs(wanted[key] - found[key]) < AGAIN * size for key in shared)
+    by_ccx(tmp_path)

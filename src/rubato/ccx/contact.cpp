@@ -65,6 +65,9 @@ public:
                          settings.integration.by == study::ContactIntegration::mortar
                              ? "integrals over faces"
                              : "at points of its own"));
+    if (!run_.is_static())
+      add_note(run_.draft,
+               path_ + ": CalculiX cuts increments of implicit motions where bodies hit, some end there");
   }
 
 private:

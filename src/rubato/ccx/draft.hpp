@@ -56,6 +56,7 @@ struct Draft {
   std::int64_t next_element = 1;
   std::map<std::string, std::int64_t> made_nodes; ///< by what they are for
 
+  std::string all_nodes;                        ///< label of the set of all nodes of the mesh
   std::map<std::string, std::string> node_sets; ///< labels by name in the study
   std::map<std::string, std::string> element_sets;
   std::map<std::string, std::string> surface_labels;

@@ -209,10 +209,6 @@ private:
   }
 
   void add_follower(const Load& load, const std::string& path) {
-    if (!run_.nonlinear)
-      return run_.refuse(path + ".follower",
-                         "found true beside bodies with small strains; pressures of CalculiX follow "
-                         "their faces with NLGEOM alone, expected 'strain: green_lagrange'");
     if (!has_numbers(load))
       return run_.refuse(path + ".value",
                          "found a pressure that follows its faces and is no number; CalculiX has one "
@@ -312,7 +308,7 @@ std::string temperature_lines(Run& run) {
 
 void write_initial(Run& run) {
   if (run.model.heat)
-    run.draft.initial += fmt::format("*INITIAL CONDITIONS, TYPE=TEMPERATURE\nNall, {}\n",
+    run.draft.initial += fmt::format("*INITIAL CONDITIONS, TYPE=TEMPERATURE\n{}, {}\n", run.draft.all_nodes,
                                      shown_number(reference_temperature(run)));
   if (run.modes)
     return;

@@ -29,21 +29,13 @@ std::string line_of(std::initializer_list<double> numbers) {
   return rows_of(entries, 8);
 }
 
-double shear_of(const Material& material) {
-  const auto& given = material.hyperelasticity;
-  if (material.law != LawKind::ogden)
-    return 2 * (given.c10 + given.c01);
-  double sum = 0;
-  for (const auto& term : given.terms)
-    sum += term.shear;
-  return sum;
-}
-
 /// D1 of (J − 1)²/D1.
 double compressibility(const Material& material) {
-  const auto bulk = material.hyperelasticity.bulk.value_or(2 * shear_of(material) * (1 + material.poisson) /
-                                                           (3 * (1 - 2 * material.poisson)));
-  return 2 / bulk;
+  const auto& bulk = material.hyperelasticity.bulk;
+  if (bulk)
+    return 2 / *bulk;
+  const auto small = material::small_strain_moduli(material);
+  return 6 * (1 - 2 * small.poisson) / small.young;
 }
 
 std::string rubber_lines(Run& run, const Material& material) {
@@ -58,6 +50,11 @@ std::string rubber_lines(Run& run, const Material& material) {
     return "*HYPERELASTIC, YEOH\n" +
            line_of({given.c10, given.c20, given.c30, d, no_such_term, no_such_term});
   if (material.law == LawKind::ogden) {
+    constexpr std::size_t most_terms = 4;
+    if (given.terms.size() > most_terms)
+      run.refuse("materials." + material.name + ".terms",
+                 fmt::format("found {} terms; CalculiX takes {}, expected as many at most",
+                             given.terms.size(), most_terms));
     std::vector<std::string> entries;
     for (const auto& term : given.terms)
       entries.insert(entries.end(), {shown_number(term.shear), shown_number(term.exponent)});

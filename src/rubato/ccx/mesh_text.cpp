@@ -171,7 +171,7 @@ void number_mesh(Run& run) {
 }
 
 std::string node_lines(const Run& run) {
-  std::string text = "*NODE, NSET=Nall\n";
+  auto text = fmt::format("*NODE, NSET={}\n", run.draft.all_nodes);
   for (std::size_t n = 0; n < run.model.mesh.points.size(); ++n) {
     const auto& x = run.model.mesh.points[n];
     text += fmt::format("{}, {}, {}, {}\n", run.draft.node_numbers[n], shown_number(x[0]), shown_number(x[1]),
@@ -305,14 +305,22 @@ int face_number(const model::Model& model, const mesh::SurfaceFace& face) {
 void write_mesh(Run& run) {
   number_mesh(run);
   auto& draft = run.draft;
-  draft.labels.chosen("NSET", "Nall");
-  draft.mesh += node_lines(run);
-  draft.mesh += element_lines(run);
-  for (const auto& group : run.model.mesh.node_groups)
+  const auto& groups = run.model.mesh.node_groups;
+  const auto is_all = [&](const mesh::Group& group) {
+    return group.items.size() == draft.node_numbers.size();
+  };
+  std::string sets;
+  for (const auto& group : groups)
     if (!group.items.empty()) {
       const auto label = draft.node_sets[group.name] = label_for(run, "NSET", group.name);
-      draft.mesh += node_set(run, label, group.items);
+      if (is_all(group) && draft.all_nodes.empty())
+        draft.all_nodes = label;
+      else
+        sets += node_set(run, label, group.items);
     }
+  if (draft.all_nodes.empty())
+    draft.all_nodes = draft.labels.chosen("NSET", "Nall");
+  draft.mesh += node_lines(run) + element_lines(run) + sets;
   for (const auto& group : run.model.mesh.cell_groups)
     draft.mesh += cell_group_lines(run, group);
   if (!draft.changed_names.empty())
@@ -328,7 +336,7 @@ std::string label_of_nodes(Run& run, std::span<const NodeIndex> nodes, std::stri
   if (const auto found = known.find(numbers); found != known.end())
     return found->second;
   if (numbers.size() == run.draft.node_numbers.size())
-    return "Nall";
+    return run.draft.all_nodes;
   auto label = run.draft.labels.chosen("NSET", name);
   run.draft.more_sets += fmt::format("*NSET, NSET={}\n{}", label, rows_of(numbers));
   known.emplace(numbers, label);

@@ -59,16 +59,65 @@ std::string totals_of(study::TableTotals totals) {
                                               : ", TOTALS=ONLY";
 }
 
-std::string node_table(Run& run, const PrintedTable& table) {
+/// A set also of a single node, as *NODE PRINT takes no numbers.
+std::string set_of(Run& run, std::span<const mesh::NodeIndex> nodes, const std::string& name) {
+  const auto label = label_of_nodes(run, nodes, name);
+  if (nodes.size() > 1)
+    return label;
+  const std::vector<std::int64_t> content{run.draft.node_numbers[static_cast<std::size_t>(nodes.front())]};
+  auto& known = run.draft.node_sets_by_content;
+  if (!known.contains(content)) {
+    known[content] = run.draft.labels.chosen("NSET", name);
+    run.draft.more_sets += fmt::format("*NSET, NSET={}\n{}\n", known[content], label);
+  }
+  return known[content];
+}
+
+/// Nodes with the quantities that are printed for them.
+using Printed = std::set<std::pair<mesh::NodeIndex, std::string>>;
+
+std::string node_table(Run& run, const PrintedTable& table, Printed& printed) {
   const auto words = known(run, table, node_words);
-  const auto nodes = table.on.empty() || table.on == study::everywhere
-                         ? run.model.dofs.nodes
-                         : mesh::find_nodes(run.model.mesh, table.on).nodes;
+  const bool all = table.on.empty() || table.on == study::everywhere;
+  const auto nodes = all ? run.model.dofs.nodes : mesh::find_nodes(run.model.mesh, table.on).nodes;
   if (words.empty() || nodes.empty())
     return {};
+  if (table.totals != study::TableTotals::only && table.every <= 1)
+    for (const auto node : nodes)
+      for (const auto& word : words)
+        printed.emplace(node, word);
   return fmt::format("*NODE PRINT, NSET={}{}{}\n{}\n",
-                     label_of_nodes(run, nodes, table.on.empty() ? "all" : table.on), totals_of(table.totals),
+                     set_of(run, nodes, table.on.empty() ? "all" : table.on), totals_of(table.totals),
                      frequency(table.every), fmt::join(words, "\n"));
+}
+
+std::string probe_lines(Run& run, const Printed& printed) {
+  std::map<std::string, std::set<std::string>> words;
+  const auto& study = run.study();
+  for (std::size_t i = 0; i < study.probes.size(); ++i) {
+    const auto& probe = study.probes[i];
+    if (!probe.minus.empty())
+      continue;
+    const std::string word(word_of(probe.field));
+    const auto& nodes = run.model.probe_nodes[i];
+    if (word.empty() || nodes.empty() || probe.place != study::ProbePlace::nodes) {
+      add_note(run.draft,
+               fmt::format("probes.{} is left out: CalculiX prints displacements, velocities, reactions "
+                           "and temperatures of nodes",
+                           probe.name));
+      continue;
+    }
+    const bool is_known = nodes.size() == 1 && printed.contains({nodes.front(), word});
+    if (is_known || (word == "V" && run.is_static()))
+      continue;
+    const bool is_sum = probe.take == study::ProbeTake::sum && word == "RF";
+    const auto set = set_of(run, nodes, probe.node.empty() || nodes.size() == 1 ? probe.name : probe.node);
+    words[fmt::format("*NODE PRINT, NSET={}{}", set, is_sum ? ", TOTALS=YES" : "")].insert(word);
+  }
+  std::string text;
+  for (const auto& [keyword, quantities] : words)
+    text += fmt::format("{}\n{}\n", keyword, fmt::join(quantities, "\n"));
+  return text;
 }
 
 std::string cell_table(Run& run, const PrintedTable& table) {
@@ -88,51 +137,6 @@ std::string cell_table(Run& run, const PrintedTable& table) {
   return text;
 }
 
-/// A set also of a single node, as *NODE PRINT takes no numbers.
-std::string set_of(Run& run, std::span<const mesh::NodeIndex> nodes, const std::string& name) {
-  const auto label = label_of_nodes(run, nodes, name);
-  if (nodes.size() > 1)
-    return label;
-  const std::vector<std::int64_t> content{run.draft.node_numbers[static_cast<std::size_t>(nodes.front())]};
-  auto& known = run.draft.node_sets_by_content;
-  if (!known.contains(content)) {
-    known[content] = run.draft.labels.chosen("NSET", name);
-    run.draft.more_sets += fmt::format("*NSET, NSET={}\n{}\n", known[content], label);
-  }
-  return known[content];
-}
-
-std::string probe_lines(Run& run) {
-  std::map<std::string, std::set<std::string>> words;
-  const auto& study = run.study();
-  for (std::size_t i = 0; i < study.probes.size(); ++i) {
-    const auto& probe = study.probes[i];
-    if (!probe.minus.empty())
-      continue;
-    const auto word = word_of(probe.field);
-    const auto& nodes = run.model.probe_nodes[i];
-    if (word.empty() || nodes.empty() || probe.place != study::ProbePlace::nodes || probe.section ||
-        probe.contact) {
-      add_note(run.draft,
-               fmt::format("probes.{} is left out: CalculiX prints displacements, velocities, reactions "
-                           "and temperatures of nodes",
-                           probe.name));
-      continue;
-    }
-    if (word == "V" && (run.is_static() || run.modes))
-      continue;
-    const bool is_sum = probe.take == study::ProbeTake::sum;
-    const auto name = probe.node.empty() || nodes.size() == 1 ? probe.name : probe.node;
-    const auto set = set_of(run, nodes, name);
-    words[fmt::format("*NODE PRINT, NSET={}{}", set, is_sum && word == "RF" ? ", TOTALS=YES" : "")].insert(
-        std::string(word));
-  }
-  std::string text;
-  for (const auto& [keyword, quantities] : words)
-    text += fmt::format("{}\n{}\n", keyword, fmt::join(quantities, "\n"));
-  return text;
-}
-
 std::string file_lines(const Run& run) {
   const auto& fields = run.study().fields;
   const auto every = frequency(fields.every == 0 ? 1'000'000 : fields.every);
@@ -149,14 +153,15 @@ std::string request_lines(Run& run) {
   auto text = file_lines(run);
   if (run.modes)
     return text;
+  Printed printed;
   for (const auto& table : run.study().fields.tables)
     if (table.of == TableOf::nodes)
-      text += node_table(run, table);
+      text += node_table(run, table, printed);
     else if (table.of == TableOf::cells)
       text += cell_table(run, table);
     else
       add_note(run.draft, "fields.tables: those of faces and zones are left out");
-  return text + probe_lines(run);
+  return text + probe_lines(run, printed);
 }
 
 } // namespace rubato::ccx

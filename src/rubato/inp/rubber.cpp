@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace rubato::inp {
 namespace {
@@ -93,6 +94,9 @@ constexpr std::array potentials{
                 set_yeoh(std::array{n[0], terms > 1 ? n[1] : 0, terms > 2 ? n[2] : 0, n[terms]}, m);
               }}};
 
+/// D2 and D3 divide terms of the energy: those above so many times D1 leave nothing of them.
+constexpr double no_such_term = 1e10;
+
 /// Coefficients that no law of rubato has: mixed ones of a polynomial.
 bool has_mixed_terms(const Potential& potential, Numbers n, std::size_t terms) {
   if (potential.word != "POLYNOMIAL" || terms == 1)
@@ -111,11 +115,11 @@ void check_coefficients(Reading& reading, const Block& block, const Potential& p
       return reading.faults.add(block.at,
                                 "found a polynomial of I2 of the second order and higher, expected one of I1 "
                                 "(YEOH) or one of the first order (MOONEY-RIVLIN)");
-    if (std::any_of(numbers.begin() + static_cast<std::ptrdiff_t>(first) + 1, numbers.end(),
-                    [](double d) { return d != 0; }))
+    const auto higher = std::span(numbers).subspan(first + 1);
+    if (std::ranges::any_of(higher, [&](double d) { return d != 0 && !(d > no_such_term * numbers[first]); }))
       return reading.faults.add(block.at, "found D2 or D3, the compressibility of higher order, expected D1 "
                                           "alone");
-    if (numbers.size() > first + 1)
+    if (std::ranges::find(higher, 0.0) != higher.end())
       note(reading, block.at,
            "D2 and D3 are 0; CalculiX takes numbers of its own instead of 0, which changes "
            "forces by up to 2 %");
