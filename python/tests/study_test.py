@@ -200,3 +200,19 @@ def test_a_class_of_the_program_may_extend_a_record():
 
     beam = Beam(name="b", physics="plane_stress")
     assert beam.echo()["physics"] == "plane_stress" and isinstance(beam, rubato.Study)
+
+
+def test_studies_are_written_as_input_files_of_calculix(tmp_path):
+    study = studies.blocks()
+    notes = rubato.write_inp(study, tmp_path / "a.inp")
+    text = (tmp_path / "a.inp").read_text()
+    assert notes and all(isinstance(note, str) for note in notes)
+    assert text.startswith("** ") and "*CONTACT PAIR" in text and text.count("*STEP") == 1
+    rubato.write_inp([study], tmp_path / "modes.inp", modes=3)
+    assert "*FREQUENCY, STORAGE=NO\n3\n" in (tmp_path / "modes.inp").read_text()
+    study.time = rubato.TimeStepping(scheme="energy_momentum", step=1e-3, end=1e-2)
+    with pytest.raises(rubato.InputError, match="time.scheme: found energy_momentum"):
+        rubato.write_inp(study, tmp_path / "b.inp")
+    assert not (tmp_path / "b.inp").exists()
+    with pytest.raises(rubato.InputError, match="found no study"):
+        rubato.write_inp([], tmp_path / "b.inp")
