@@ -129,6 +129,11 @@ CASES = {
                               time={"scheme": "static", "step": 0.25, "end": 1},
                               loads=[{"pressure": {"on": "roof", "value": 300, "function": "ramp", "follower": True}}]), 1e-3, AGAIN),
     "motion": (bar("hexa8", time=DYNAMIC), 5e-3, AGAIN),
+    "motion in the plane": (bar("quad8", time=DYNAMIC), 5e-3, AGAIN),
+    "cells that keep their volume": (bar("quad4", divisions=(6, 3), material=PLASTIC | {"formulation": "mean_dilatation"},
+                                         **pulled(0.02, "xy")), 6e-2, None),
+    "rubber that keeps its volume": (bar("hexa8", material=RUBBER | {"formulation": "mean_dilatation"}, **pulled(0.5)), 3e-2, None),
+    "damped motion": (bar("hexa8", time=DYNAMIC, material=STEEL | {"rayleigh": {"mass": 1e4, "stiffness": 1e-6}}), 2e-2, AGAIN),
     "a body that flies": (bar("hexa8", supports=[], time=DYNAMIC | {"alpha": 0}, loads=[], fields={"tables": TABLES["tables"][:1]},
                               initial=[{"on": "bar", "velocity": {"x": 100, "y": 3}}]), 1e-4, AGAIN),
     "equation": (bar("hexa8", relations={"even": {"equal": {"on": "tip", "in": ["x"]}}, "one": {"equation": {
@@ -260,6 +265,10 @@ REFUSED = {
     "kinematic": ({"materials": {"steel": PLASTIC | {"kinematic": [{"modulus": 1000}]}}}, "found kinematic hardening"),
     "place and time": ({"loads": [{"pressure": {"on": "roof", "value": "x*t"}}]}, "a value that changes with place and time at once"),
     "dashpot": ({"connectors": [{"on": "corner", "along": [1, 0, 0], "damping": 1}], "time": DYNAMIC}, "dashpots of CalculiX"),
+    "motions in the plane": (bar("quad4", time=DYNAMIC), "found motions of linear cells in the plane"),
+    "initial displacement": ({"time": DYNAMIC, "initial": [{"on": "tip", "displacement": {"x": 0.001}}]},
+                             "found displacements at the begin of a motion"),
+    "nodes without contact": (cubes(exclude_nodes=["corner", "sole"]) | {"loads": []}, "without contact, which no support holds"),
     "gap": (cubes(gap=0.1) | {"loads": []}, "found a distance that is added to that of the meshes"),
 }
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rubato::ccx {
 namespace {
@@ -52,18 +53,15 @@ public:
     const double stiffness = normal_stiffness(zone);
     run_.body += fmt::format("*SURFACE INTERACTION, NAME={}\n{}", interaction, behaviour(zone, stiffness));
     run_.body += friction(zone, stiffness);
-    const auto remaining = nodes_with_contact(zone);
-    const bool on_nodes = remaining.size() < zone.slave.nodes.size();
-    const auto touching = on_nodes ? surface_of_nodes(remaining, settings.name + "_nodes") : slave;
-    run_.body += fmt::format("*CONTACT PAIR, INTERACTION={}, TYPE={}{}\n{}, {}\n", interaction,
-                             on_nodes ? "NODE TO SURFACE" : "SURFACE TO SURFACE",
-                             settings.freeze && on_nodes ? ", SMALL SLIDING" : "", touching, master);
+    check_excluded(zone);
+    run_.body += fmt::format("*CONTACT PAIR, INTERACTION={}, TYPE=SURFACE TO SURFACE\n{}, {}\n", interaction,
+                             slave, master);
     add_note(run_.draft,
-             fmt::format("{}: CalculiX has contact at {}, rubato {}: forces and displacements differ by "
-                         "about 1 %",
-                         path_, on_nodes ? "slave nodes" : "points of slave faces",
+             fmt::format("{}: CalculiX has contact at points of slave faces, rubato {}: forces and "
+                         "displacements differ by about 1 %",
+                         path_,
                          settings.integration.by == study::ContactIntegration::mortar
-                             ? "integrals over faces"
+                             ? "by integrals over faces"
                              : "at points of its own"));
     if (!run_.is_static())
       add_note(run_.draft,
@@ -78,24 +76,35 @@ private:
     return true;
   }
 
-  /// Slave nodes without those that the study leaves out. Those that supports hold move nothing, with contact
-  /// or without.
-  std::vector<mesh::NodeIndex> nodes_with_contact(const contact::Zone& zone) const {
-    auto nodes = zone.slave.nodes;
+  /// Nodes that supports hold may have contact or not.
+  void check_excluded(const contact::Zone& zone) {
     for (const auto& name : zone.settings.exclude_nodes) {
-      const auto excluded = mesh::find_nodes(run_.model.mesh, name).nodes;
-      std::erase_if(nodes, [&](mesh::NodeIndex node) {
-        return std::ranges::binary_search(excluded, node) && !is_held(node);
-      });
+      auto nodes = mesh::find_nodes(run_.model.mesh, name).nodes;
+      std::erase_if(nodes,
+                    [&](mesh::NodeIndex node) { return zone.slave.position_of(node) < 0 || is_held(node); });
+      if (!nodes.empty())
+        run_.refuse(
+            path_ + ".exclude_nodes",
+            fmt::format(
+                "found node {} without contact, which no support holds; CalculiX has contact on whole "
+                "faces, expected nodes that are held",
+                mesh::node_name(run_.model.mesh, nodes.front())));
     }
-    return nodes;
   }
 
-  std::string surface_of_nodes(std::span<const mesh::NodeIndex> nodes, const std::string& name) {
-    const auto set = label_of_nodes(run_, nodes, name);
-    const auto label = run_.draft.labels.chosen(body_kind() + " surface", name);
-    run_.body += fmt::format("*SURFACE, NAME={}, TYPE=NODE\n{}\n", label, set);
-    return label;
+  /// The least distance of a slave node in the plane from the master's faces.
+  double distance_in_plane(const contact::Zone& zone) const {
+    const auto& points = run_.model.mesh.points;
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto node : zone.slave.nodes)
+      for (const auto& face : zone.master.faces) {
+        const Eigen::Vector3d& a = points[static_cast<std::size_t>(face.nodes[0])];
+        const Eigen::Vector3d way = points[static_cast<std::size_t>(face.nodes[1])] - a;
+        const Eigen::Vector3d to = points[static_cast<std::size_t>(node)] - a;
+        const double along = std::clamp(to.dot(way) / way.squaredNorm(), 0.0, 1.0);
+        least = std::min(least, (to - along * way).norm());
+      }
+    return least;
   }
 
   /// Labels of interactions are chosen anew for each run, so that equal runs have equal texts.
@@ -132,6 +141,11 @@ private:
 
   /// CalculiX gives elements of the plane a thickness by equations, beside which *TIE has no effect.
   void write_springs_of_tie(const contact::Zone& zone, const std::string& slave, const std::string& master) {
+    constexpr double touching = 1e-3;
+    if (distance_in_plane(zone) > touching * zone.slave.longest_edge)
+      return run_.refuse(path_ + ".tie",
+                         "found a tie over a gap in the plane, which CalculiX does not have; expected "
+                         "surfaces that touch");
     const auto interaction = run_.draft.labels.chosen(body_kind(), zone.settings.name);
     const auto stiffness = shown_number(exact_stiffness(zone));
     run_.body +=

@@ -133,14 +133,15 @@ private:
     return base + "R";
   }
 
+  /// Elements that do not lock where volumes are kept.
   std::string mean_dilatation(const std::string& base, CellType type, const study::Material& material) {
-    const bool brick = is_quadratic_brick(type);
+    const bool has_reduced = is_quadratic_brick(type) || type == CellType::quad4;
+    const auto name = base + (type == CellType::hexa8 ? "I" : has_reduced ? "R" : "");
     add_note(run_.draft,
-             fmt::format("material {}: 'mean_dilatation' is written as {}{}: {}", material.name, base,
-                         brick ? "R" : "",
-                         brick ? "volumes do not lock in either, coarse meshes differ"
-                               : "coarse meshes that keep their volume are too stiff in CalculiX"));
-    return brick ? base + "R" : base;
+             fmt::format("material {}: 'mean_dilatation' is written as {}, which {}", material.name, name,
+                         name == base ? "is stiffer where volumes are kept"
+                                      : "does not lock either; coarse meshes differ by some percent"));
+    return name;
   }
 
   Run& run_;
