@@ -91,12 +91,15 @@ AGAIN = 1e-9
 
 WOOD = {"law": "orthotropic", "young_x": 1e4, "young_y": 500, "young_z": 800, "poisson_xy": 0.4, "poisson_yz": 0.3,
         "poisson_xz": 0.35, "shear_xy": 700, "shear_yz": 60, "shear_xz": 650, "angle_z": 30, "angle_y": 20}
+ROUND = {key: value for key, value in WOOD.items() if "angle" not in key} | {"axes": {"cylindrical": {
+    "point": [2, -3, 0], "direction": [0, 0, 1]}}}
 PLASTIC = STEEL | {"law": "plastic", "hardening": {"linear": {"yield_stress": 250, "modulus": 1000}}, "formulation": "full"}
 RUBBER = {"law": "hyperelastic", "c10": 0.8, "c01": 0.2, "bulk": 100, "volumetric": "quadratic", "formulation": "full"}
 YEOH = {"law": "yeoh", "c10": 0.8, "c20": 0.1, "c30": 0.02, "bulk": 100, "volumetric": "quadratic", "formulation": "full"}
 OGDEN = {"law": "ogden", "terms": [{"shear": 1.2, "exponent": 1.5}, {"shear": 0.1, "exponent": 4}], "bulk": 100,
          "volumetric": "quadratic", "formulation": "full"}
 WARM = STEEL | {"expansion": 1e-5, "reference_temperature": 20}
+TABLE = {"on": "corner", "along": [0, 1, 0], "force": {"elongations": [-1, -0.001, 0, 1], "forces": [-1000, -30, 0, 10]}}
 PRESSED = [{"pressure": {"on": "roof", "value": 3}}]
 FINITE = STEEL | {"strain": "green_lagrange"}
 DYNAMIC = {"scheme": "hht", "alpha": -0.05, "step": 2e-6, "end": 1e-4}
@@ -113,6 +116,9 @@ CASES = {
     "bricks, reduced": (bar("hexa20", divisions=(3, 2, 2), material=STEEL | {"formulation": "reduced"}), EXACT, AGAIN),
     "bricks, enhanced": (bar("hexa8", material=STEEL | {"formulation": "enhanced"}), NEAR, AGAIN),
     "tetrahedra": (bar("tetra10", loads=[{"gravity": {"y": -9810}}]), EXACT, AGAIN),
+    "pressure on each side": (bar("hexa8", loads=[{"pressure": {"on": side, "value": value}} for side, value in (
+        ("roof", 3), ("floor", 1), ("tip", 2))]), EXACT, AGAIN),
+    "prisms under pressure": (bar("penta6", loads=PRESSED, material=STEEL | {"formulation": "reduced"}), EXACT, AGAIN),
     "prisms": (bar("penta15", material=STEEL | {"formulation": "reduced"}), EXACT, AGAIN),
     "a pressure that depends on the place": (bar("hexa8", loads=[{"pressure": {"on": "roof", "value": "3*x^2"}}]), EXACT, AGAIN),
     "two forces on the same nodes": (bar("hexa8", functions=RAMP, loads=[
@@ -144,6 +150,17 @@ CASES = {
         {"on": "clamped", "fix": ["x", "y", "z"]}, {"on": "head", "x": 0.01}], loads=[{"moment": {"on": "head", "x": 7, "z": 3}}]), EXACT, AGAIN),
     "springs": (bar("hexa8", springs=[{"on": "roof", "y": 1000}], connectors=[
         {"on": "corner", "along": [1, 2, 2], "stiffness": 3000}]), EXACT, AGAIN),
+    "springs between nodes": (bar("hexa8", connectors=[{"on": "corner", "to": "N1", "stiffness": 4e4}]), EXACT, AGAIN),
+    "springs by a table": (bar("hexa8", material=FINITE, connectors=[TABLE]), 5e-4, AGAIN),
+    "springs that rotate": (bar("hexa8", material=FINITE, connectors=[
+        {"on": "corner", "to": "N1", "stiffness": 4e4, "rotates": True},
+        {"on": "corner", "anchor": [4, 3, 1], "stiffness": 4e4, "rotates": True}]), EXACT, AGAIN),
+    "pairs and faces that are held along their normals": (bar("hexa8", relations={
+        "p": {"pairs": {"on": "roof", "with": "floor", "difference": {"y": 0.01}}}}, loads=[{"nodal_force": {"on": "tip", "x": 1}}],
+        supports=[{"on": "N1", "fix": ["y", "z"]}, {"on": "N31", "fix": ["y"]}, {"on": "clamped", "along": "normal", "value": 0}]), EXACT, AGAIN),
+    "axes about a line": (bar("hexa20", divisions=(2, 2, 2), material=ROUND), EXACT, AGAIN),
+    "supports by place and time": (bar("hexa8", time={"scheme": "static", "step": 0.25, "end": 1}, supports=[
+        {"on": "clamped", "fix": ["x", "y", "z"]}, {"on": "tip", "x": "1e-2*sin(3*t)*y"}]), EXACT, AGAIN),
     "springs in the plane": (bar("quad4", springs=[{"on": "roof", "y": 1000}]), EXACT, AGAIN),
     "slanted support": (bar("hexa8", supports=[{"on": "clamped", "fix": ["x", "y", "z"]},
                                                {"on": "corner", "along": [1, 1, 0], "value": 0.02}]), EXACT, AGAIN),
@@ -264,6 +281,7 @@ REFUSED = {
     "prony": ({"materials": {"steel": {"law": "prony", "young": 2e5, "poisson": 0.3, "terms": [{"shear": 1e4, "time": 1}]}}}, "found the law prony"),
     "kinematic": ({"materials": {"steel": PLASTIC | {"kinematic": [{"modulus": 1000}]}}}, "found kinematic hardening"),
     "place and time": ({"loads": [{"pressure": {"on": "roof", "value": "x*t"}}]}, "a value that changes with place and time at once"),
+    "table": ({"connectors": [TABLE]}, "CalculiX takes tables of springs with NLGEOM alone"),
     "dashpot": ({"connectors": [{"on": "corner", "along": [1, 0, 0], "damping": 1}], "time": DYNAMIC}, "dashpots of CalculiX"),
     "motions in the plane": (bar("quad4", time=DYNAMIC), "found motions of linear cells in the plane"),
     "initial displacement": ({"time": DYNAMIC, "initial": [{"on": "tip", "displacement": {"x": 0.001}}]},

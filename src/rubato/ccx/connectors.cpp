@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace rubato::ccx {
 namespace {
@@ -17,10 +18,8 @@ class Discrete {
 public:
   explicit Discrete(Run& run) : run_(run), next_(run.draft.next_element) {}
 
-  void spring(const Place& at, const std::string& law) {
-    families_[{"SPRING1",
-               fmt::format("*SPRING{}, ELSET=@\n{}\n{}",
-                           law.find('\n') + 1 == law.size() ? "" : ", NONLINEAR", at.component, law)}]
+  void spring(const Place& at, double stiffness) {
+    families_[{"SPRING1", fmt::format("*SPRING, ELSET=@\n{}\n{}\n", at.component, shown_number(stiffness))}]
         .push_back(fmt::format("{}", at.node));
   }
   void line(std::string_view type, std::string_view keyword, std::int64_t from, std::int64_t to,
@@ -53,14 +52,22 @@ private:
   std::map<std::pair<std::string, std::string>, std::vector<std::string>> families_; ///< by type and section
 };
 
-std::string linear_law(double stiffness) {
-  return shown_number(stiffness) + "\n";
-}
-
+/// Lines of force and elongation; CalculiX keeps the last force beyond them.
 std::string table_law(const LinearTable& table) {
+  constexpr double far = 1000;
+  auto at = table.at;
+  auto forces = table.values;
+  if (table.outside == LinearTable::Outside::linear && at.size() > 1) {
+    const double size = far * (at.back() - at.front());
+    for (const double end : {at.front() - size, at.back() + size}) {
+      const bool below = end < at.front();
+      at.insert(below ? at.begin() : at.end(), end);
+      forces.insert(below ? forces.begin() : forces.end(), interpolated(table, end));
+    }
+  }
   std::string text;
-  for (std::size_t i = 0; i < table.at.size(); ++i)
-    text += fmt::format("{}, {}\n", shown_number(table.values[i]), shown_number(table.at[i]));
+  for (std::size_t i = 0; i < at.size(); ++i)
+    text += fmt::format("{}, {}\n", shown_number(forces[i]), shown_number(at[i]));
   return text;
 }
 
@@ -109,7 +116,7 @@ void add_turning(Run& run, Discrete& springs, const model::Connector& connector,
     return run.refuse("connectors",
                       "found a spring that rotates at a reference or a group; CalculiX has SPRINGA "
                       "between two nodes, expected nodes");
-  springs.line("SPRINGA", "SPRING", *from, *to, linear_law(line.spring.slope));
+  springs.line("SPRINGA", "SPRING", *from, *to, shown_number(line.spring.slope) + "\n");
 }
 
 void add_connector(Run& run, Discrete& springs, std::size_t i) {
@@ -123,10 +130,22 @@ void add_connector(Run& run, Discrete& springs, std::size_t i) {
                "found damping; dashpots of CalculiX act in harmonic steps alone, expected none");
   if (!has_spring)
     return;
-  const auto law = connector.force ? table_law(*connector.force) : linear_law(connector.stiffness);
-  if (connector.force && connector.force->at.size() == 1)
-    return run.refuse("connectors", "found a table of one point, expected two at least");
-  springs.spring(place_along(run, connector.row, fmt::format("connector {}", i)), law);
+  const auto at = place_along(run, connector.row, fmt::format("connector {}", i));
+  if (!connector.force)
+    return springs.spring(at, connector.stiffness);
+  if (!run.nonlinear)
+    return run.refuse("connectors",
+                      "found a table beside bodies with small strains; CalculiX takes tables of springs "
+                      "with NLGEOM alone, expected 'strain: green_lagrange'");
+  if (connector.force->outside == LinearTable::Outside::zero)
+    return run.refuse("connectors",
+                      "found a table that is 0 outside; springs of CalculiX keep the last force, expected "
+                      "'constant' or 'linear'");
+  const double reach = std::max(std::abs(connector.force->at.front()), std::abs(connector.force->at.back()));
+  constexpr double far = 1000;
+  const auto fixed =
+      made_node(run.draft, fmt::format("fixed end {}", i), {-far * std::max(reach, 1.0), 0, 0});
+  springs.line("SPRINGA", "SPRING, NONLINEAR", fixed, at.node, table_law(*connector.force));
 }
 
 } // namespace
@@ -143,7 +162,7 @@ void write_springs(Run& run) {
     const constraint::Term own{spring.dof, 1};
     const auto at = run.is_plane() ? place_along(run, {&own, 1}, fmt::format("spring {}", spring.dof))
                                    : place_of(run, spring.dof);
-    springs.spring(at, linear_law(spring.stiffness));
+    springs.spring(at, spring.stiffness);
   }
   for (std::size_t i = 0; i < run.model.connectors.size(); ++i)
     add_connector(run, springs, i);

@@ -295,6 +295,10 @@ std::string temperature_lines(Run& run) {
           label_of_nodes(run, nodes, temperature.on));
       continue;
     }
+    add_note(
+        run.draft,
+        "temperatures that change with the place: linear cells have their mean in CalculiX, coarse meshes "
+        "differ");
     for (const auto node : nodes) {
       const auto& x = run.model.mesh.points[static_cast<std::size_t>(node)];
       const std::array place{x[0], x[1], x[2]};

@@ -35,7 +35,7 @@ std::string made_valid(std::string_view name) {
 /// CalculiX tells numbers from degrees of freedom by the point.
 std::string with_point(std::string text) {
   if (text.find('.') == std::string::npos)
-    text.insert(std::min(text.find('e'), text.size()), ".");
+    text.insert(std::min(text.find('e'), text.size()), 1, '.');
   return text;
 }
 
