@@ -150,7 +150,7 @@ CASES = {
         {"on": "clamped", "fix": ["x", "y", "z"]}, {"on": "head", "x": 0.01}], loads=[{"moment": {"on": "head", "x": 7, "z": 3}}]), EXACT, AGAIN),
     "springs": (bar("hexa8", springs=[{"on": "roof", "y": 1000}], connectors=[
         {"on": "corner", "along": [1, 2, 2], "stiffness": 3000}]), EXACT, AGAIN),
-    "springs between nodes": (bar("hexa8", connectors=[{"on": "corner", "to": "N1", "stiffness": 4e4}]), EXACT, AGAIN),
+    "springs between nodes": (bar("hexa8", connectors=[{"on": "corner", "to": "N2", "stiffness": 4e4}]), EXACT, AGAIN),
     "springs by a table": (bar("hexa8", material=FINITE, connectors=[TABLE]), 5e-4, AGAIN),
     "springs that rotate": (bar("hexa8", material=FINITE, connectors=[
         {"on": "corner", "to": "N1", "stiffness": 4e4, "rotates": True},

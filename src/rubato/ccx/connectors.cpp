@@ -119,6 +119,41 @@ void add_turning(Run& run, Discrete& springs, const model::Connector& connector,
   springs.line("SPRINGA", "SPRING", *from, *to, shown_number(line.spring.slope) + "\n");
 }
 
+/// The two nodes of a spring that acts along the line between them, in space.
+std::optional<std::array<mesh::NodeIndex, 2>> ends_of(const Run& run, std::span<const constraint::Term> row) {
+  std::map<mesh::NodeIndex, Eigen::Vector3d> parts;
+  for (const auto& term : row) {
+    const auto node = run.model.node_of(term.dof);
+    auto& part = parts.try_emplace(node, Eigen::Vector3d::Zero()).first->second;
+    part[place_of(run, term.dof).component - 1] += term.coefficient;
+  }
+  if (run.is_plane() || parts.size() != 2)
+    return std::nullopt;
+  const auto& [from, pulls_from] = *parts.begin();
+  const auto& [to, pulls_to] = *parts.rbegin();
+  const auto& points = run.model.mesh.points;
+  const Eigen::Vector3d way = points[static_cast<std::size_t>(to)] - points[static_cast<std::size_t>(from)];
+  constexpr double rounding = 1e-12;
+  const bool is_along = way.norm() > 0 && (pulls_to - way.normalized()).norm() < rounding &&
+                        (pulls_to + pulls_from).norm() < rounding;
+  return is_along ? std::optional(std::array{from, to}) : std::nullopt;
+}
+
+/// Springs on nodes themselves where CalculiX has such ones, so that its reactions have their forces.
+bool add_plain(Run& run, Discrete& springs, const model::Connector& connector) {
+  if (connector.force || run.nonlinear)
+    return false;
+  const auto ends = ends_of(run, connector.row);
+  if (!ends)
+    return false;
+  const auto number = [&](mesh::NodeIndex node) {
+    return run.draft.node_numbers[static_cast<std::size_t>(node)];
+  };
+  springs.line("SPRINGA", "SPRING", number((*ends)[0]), number((*ends)[1]),
+               shown_number(connector.stiffness) + "\n");
+  return true;
+}
+
 void add_connector(Run& run, Discrete& springs, std::size_t i) {
   const auto& connector = run.model.connectors[i];
   if (connector.line)
@@ -130,7 +165,12 @@ void add_connector(Run& run, Discrete& springs, std::size_t i) {
                "found damping; dashpots of CalculiX act in harmonic steps alone, expected none");
   if (!has_spring)
     return;
+  if (add_plain(run, springs, connector))
+    return;
   const auto at = place_along(run, connector.row, fmt::format("connector {}", i));
+  add_note(run.draft,
+           "connectors: springs act on nodes of their own, which equations move: RF of CalculiX lacks their "
+           "forces on nodes that supports hold");
   if (!connector.force)
     return springs.spring(at, connector.stiffness);
   if (!run.nonlinear)
