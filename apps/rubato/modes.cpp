@@ -137,7 +137,7 @@ int show_modes(const study::Study& study, const inp::ModesAsked& asked, Contact 
     return done;
   fmt::print(
       stderr,
-      "error: {}: a residual is above 1e-9, or modes below the last one may be missing; expected fewer "
+      "error: {}: a residual is above 1e-7, or modes below the last one may be missing; expected fewer "
       "modes (--number) or a better shaped mesh\n",
       study.name);
   return no_convergence;

@@ -21,7 +21,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double largest_residual = 1e-9;
+/// Above it vectors are corrected.
+constexpr double wanted_residual = 1e-9;
+/// Of modes that count as found. Values are off by about its square.
+constexpr double largest_residual = 1e-7;
 
 /// Vectors beyond the wanted ones: the last of these converge faster with neighbours beside them.
 constexpr Index guards = 2;
@@ -227,9 +230,9 @@ public:
     if (count == 0)
       return;
     measure();
-    for (int i = 0; i < most_corrections && !are_small(); ++i)
+    for (int i = 0; i < most_corrections && !are_below(wanted_residual); ++i)
       correct();
-    modes_.converged = are_small();
+    modes_.converged = are_below(largest_residual);
   }
 
   EigenModes take() { return std::move(modes_); }
@@ -289,8 +292,8 @@ private:
     return force;
   }
 
-  bool are_small() const {
-    return (modes_.residuals.array() <= rounding_.array().max(largest_residual)).all();
+  bool are_below(double bound) const {
+    return (modes_.residuals.array() <= rounding_.array().max(bound)).all();
   }
 
   const SparseMatrix& stiffness_;
