@@ -79,6 +79,25 @@ def tied(deck):
     return deck | {"time": STATIC}
 
 
+def on_plane(deck, slave, normal):
+    """The upper block alone, pressed on a plane that moves."""
+    up = deck["mesh"]["generate"][1]
+    least = up.get("rectangle", up.get("box"))["from"]
+    wall = {"plane": {"point": least, "normal": normal}, "move": {"x": {"value": 0.001, "function": "ramp"}}}
+    return deck | {"mesh": {"generate": [up | {"sides": up["sides"] | {"left": "clamped"}}]}, "supports": deck["supports"][1:],
+                   "contact": {"joint": {"obstacle": wall, "slave": slave, "friction": 0.3}}, "fields": {"tables": TABLES["tables"][:1]}}
+
+
+def ring_on_plane():
+    """A ring that a plane compresses."""
+    disc = {"name": "disc", "rectangle": {"from": [0.2, 0], "to": [1, 0.5]}, "divisions": [8, 4], "cells": "quad8",
+            "sides": {"top": "lid", "bottom": "clamped"}, "points": {"right_top": "corner"}}
+    plane = {"plane": {"point": [0, 0.5], "normal": [0, -1]}, "move": {"y": {"value": -0.01, "function": "ramp"}}}
+    return blocks() | {"physics": "axisymmetric", "mesh": {"generate": [disc]},
+                       "supports": [{"on": "clamped", "fix": ["x", "y"]}],
+                       "contact": {"joint": {"obstacle": plane, "slave": "lid"}}, "fields": {"tables": TABLES["tables"][:1]}}
+
+
 def pulled(value, axes="xyz"):
     """The bar's end is moved along x over ten steps."""
     return {"functions": RAMP, "time": {"scheme": "static", "step": 0.1, "end": 1}, "loads": [], "supports": [
@@ -170,6 +189,10 @@ CASES = {
     "contact by a penalty": (blocks(method="penalty", coefficients={"normal": 1e7}), NEAR, None),
     "contact in space": (cubes(friction=0.3), 3e-2, None),
     "contact of quadratic cells": (cubes("hexa20"), NEAR, None),
+    "a plane in space": (on_plane(cubes(), "sole", [0, 0, 1]), 3e-2, None),
+    "a plane": (on_plane(blocks(), "sole", [0, 1]), 2e-2, None),
+    "rings in contact": (moved(blocks(), by=[10, 0]) | {"physics": "axisymmetric"}, NEAR, None),
+    "a ring on a plane": (ring_on_plane(), NEAR, None),
     "tie": (tied(cubes()), EXACT, None),
     "tie in the plane": (tied(blocks()), NEAR, None),
 }
@@ -274,7 +297,7 @@ REFUSED = {
     "newmark": ({"time": {"scheme": "newmark", "beta": 0.3, "gamma": 0.6, "step": 1e-6, "end": 1e-5}}, "found beta 0.3 and gamma 0.6"),
     "until": ({"supports": [{"on": "clamped", "fix": ["x", "y", "z"]}, {"on": "corner", "fix": ["z"], "until": 0.5}]},
               "found the end of a support within a run"),
-    "obstacle": ({"contact": {"wall": {"obstacle": {"plane": {"point": [0, 0, 0], "normal": [0, 1, 0]}}, "slave": "floor"}}},
+    "obstacle": ({"contact": {"wall": {"obstacle": {"sphere": {"point": [0, -2, 0], "radius": 1}}, "slave": "floor"}}},
                  "found an obstacle"),
     "place": ({"materials": {"steel": STEEL | {"young": "2e5+x"}}}, "found a value that depends on the place"),
     "cells": ({"mesh": bar("hexa27")["mesh"]}, "found HEXA27 cells"),
@@ -287,6 +310,7 @@ REFUSED = {
     "initial displacement": ({"time": DYNAMIC, "initial": [{"on": "tip", "displacement": {"x": 0.001}}]},
                              "found displacements at the begin of a motion"),
     "nodes without contact": (cubes(exclude_nodes=["corner", "sole"]) | {"loads": []}, "without contact, which no support holds"),
+    "surfaces on the axis": (blocks() | {"physics": "axisymmetric", "loads": []}, "faces that end on the axis; CalculiX misses contact"),
     "gap": (cubes(gap=0.1) | {"loads": []}, "found a distance that is added to that of the meshes"),
 }
 

@@ -16,7 +16,7 @@ namespace {
 /// Elements that are no cells, those with the same numbers in one set.
 class Discrete {
 public:
-  explicit Discrete(Run& run) : run_(run), next_(run.draft.next_element) {}
+  explicit Discrete(Run& run) : run_(run) {}
 
   void spring(const Place& at, double stiffness) {
     families_[{"SPRING1", fmt::format("*SPRING, ELSET=@\n{}\n{}\n", at.component, shown_number(stiffness))}]
@@ -38,17 +38,15 @@ public:
       const auto set = fmt::format("{}_{}", name, ++count);
       run_.body += fmt::format("*ELEMENT, TYPE={}, ELSET={}\n", key.first, set);
       for (const auto& nodes : elements)
-        run_.body += fmt::format("{}, {}\n", next_++, nodes);
+        run_.body += fmt::format("{}, {}\n", run_.next_element++, nodes);
       auto section = key.second;
       section.replace(section.find('@'), 1, set);
       run_.body += section;
     }
-    run_.draft.next_element = std::max(run_.draft.next_element, next_);
   }
 
 private:
   Run& run_;
-  std::int64_t next_;
   std::map<std::pair<std::string, std::string>, std::vector<std::string>> families_; ///< by type and section
 };
 

@@ -150,6 +150,8 @@ std::string support_lines(Run& run) {
       const auto at = place_of_right_side(run, course);
       boundary.add(course, fmt::format("{}", at.node), at.component);
     }
+  for (const auto& [at, course] : run.moved)
+    boundary.add(course, fmt::format("{}", at.node), at.component);
   for (const auto& [purpose, node] : run.draft.made_nodes)
     if (purpose == "zero" || purpose.starts_with("fixed"))
       for (int i = 1; i <= 3; ++i)

@@ -44,9 +44,16 @@ public:
     const auto& settings = zone.settings;
     path_ = "contact." + settings.name;
     const auto slave = surface_of(zone.slave, settings.slave, "slave");
-    const auto master = surface_of(zone.master, settings.master, "master");
+    const auto master =
+        zone.obstacle ? obstacle_of(settings) : surface_of(zone.master, settings.master, "master");
     if (slave.empty() || master.empty())
       return;
+    for (const auto* surface : {&zone.slave, &zone.master})
+      if (ends_on_axis(*surface))
+        return run_.refuse(
+            path_ + (surface == &zone.slave ? ".slave" : ".master"),
+            "found faces that end on the axis; CalculiX misses contact with them, expected surfaces that do "
+            "not reach the axis");
     if (settings.tie)
       return write_tie(zone, slave, master);
     const auto interaction = run_.draft.labels.chosen(body_kind(), settings.name);
@@ -69,6 +76,13 @@ public:
   }
 
 private:
+  bool ends_on_axis(const contact::Surface& surface) const {
+    return run_.study().physics == study::Physics::axisymmetric &&
+           std::ranges::any_of(surface.nodes, [&](mesh::NodeIndex node) {
+             return run_.model.mesh.points[static_cast<std::size_t>(node)].x() <= 0;
+           });
+  }
+
   bool is_held(mesh::NodeIndex node) const {
     for (int i = 0; i < run_.model.dofs.components; ++i)
       if (!run_.model.reduction.is_prescribed(run_.model.dofs.dof(node, i)))
@@ -105,6 +119,13 @@ private:
         least = std::min(least, (to - along * way).norm());
       }
     return least;
+  }
+
+  std::string obstacle_of(const ContactZone& settings) {
+    const auto label = run_.draft.labels.chosen(body_kind() + " surface", "obstacle_" + settings.name);
+    write_obstacle(run_, *settings.obstacle, settings.name, label);
+    add_note(run_.draft, path_ + ": the plane is the face of a rigid block");
+    return label;
   }
 
   /// Labels of interactions are chosen anew for each run, so that equal runs have equal texts.
@@ -236,9 +257,10 @@ void check_zone(Run& run, const ContactZone& zone, const std::string& path) {
     run.refuse(path + ".self",
                "found a surface that touches itself; contact pairs of CalculiX have two surfaces, "
                "expected two");
-  if (zone.obstacle)
+  if (zone.obstacle && (zone.obstacle->kind != study::ObstacleKind::plane || zone.obstacle->rotate))
     run.refuse(path + ".obstacle",
-               "found an obstacle; CalculiX has no rigid surfaces by formulas, expected a body");
+               "found an obstacle that is round or rotates; CalculiX has no surfaces by formulas, "
+               "expected a plane or a body");
   if (zone.bilateral)
     run.refuse(path + ".bilateral",
                "found true; surfaces of CalculiX that do not part do not slide either, expected "

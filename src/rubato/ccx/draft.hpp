@@ -77,6 +77,12 @@ struct Draft {
   std::string last_run;
 };
 
+/// A component of a node that is not of the mesh, with its displacement.
+struct MovedNode {
+  Place at;
+  Course course;
+};
+
 /// One run while its step is written.
 struct Run {
   const model::Model& model;
@@ -84,7 +90,9 @@ struct Run {
   std::vector<Fault>& faults;
   bool nonlinear = false; ///< NLGEOM
   bool modes = false;
-  std::string body;
+  std::int64_t next_element = 1;     ///< of those that are no cells: the same numbers in each run
+  std::vector<MovedNode> moved = {}; ///< of obstacles
+  std::string body = {};
 
   const study::Study& study() const { return model.study; }
   bool is_plane() const { return model.mesh.dimension == 2; }
@@ -133,6 +141,10 @@ void write_equation(std::string& body, std::span<const PlaceTerm> terms);
 void write_springs(Run& run);
 void write_masses(Run& run);
 void write_contact(Run& run);
+/// Adds a rigid block whose face is the plane of a zone's obstacle, which supports move. Returns its surface,
+/// called `label`.
+void write_obstacle(Run& run, const study::Obstacle& obstacle, const std::string& zone,
+                    const std::string& label);
 void write_initial(Run& run);
 
 // ---- parts of the step, the lines below one keyword each

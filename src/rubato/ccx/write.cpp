@@ -123,12 +123,8 @@ void InputFile::add(const study::Study& study, const std::optional<Frequencies>&
     check_first(study);
   const auto model = model::build_model(modes ? rubato::modes::modal_study(study) : study);
   std::vector<Fault> faults;
-  Run run{.model = model,
-          .draft = draft,
-          .faults = faults,
-          .nonlinear = false,
-          .modes = modes.has_value(),
-          .body = {}};
+  Run run{model, draft, faults};
+  run.modes = modes.has_value();
   run.nonlinear = study::takes_large_rotations(study);
   check_limits(run);
   if (!faults.empty())
@@ -140,6 +136,7 @@ void InputFile::add(const study::Study& study, const std::optional<Frequencies>&
     write_mesh(run);
     write_initial(run);
   }
+  run.next_element = draft.next_element;
   auto body = write_body(run);
   std::map<std::string, std::string> parts;
   write_loads(run, parts);
