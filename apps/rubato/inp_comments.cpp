@@ -64,7 +64,7 @@ std::vector<CommentedBlock> blocks_of(const std::filesystem::path& inp) {
   return blocks;
 }
 
-/// Writes the lines of a deck and looks for the entry of each block.
+/// Writes the lines of a deck, with the comments of each block before its entry.
 class CommentWriter {
 public:
   CommentWriter(const deck::Deck& deck, const std::filesystem::path& inp)

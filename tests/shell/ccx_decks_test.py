@@ -336,11 +336,15 @@ def test_notes_are_the_head_of_the_file(tmp_path):
 def test_names_that_calculix_takes(tmp_path):
     deck = bar("hexa8")
     deck["mesh"]["generate"][0]["sides"] |= {"front": "1st side", "back": "Tip"}
+    deck["mesh"]["generate"].append({"name": "other", "box": {"from": [0, 0, 5], "to": [1, 1, 6]}, "divisions": [1, 1, 1],
+                                     "sides": {"left": "clamped"}})
+    deck["materials"] = {"steel": STEEL | {"cells": "bar"}, "Steel": STEEL | {"cells": "other"}}
     code, _, errors = write(tmp_path, deck)
     assert code == 0
     assert "1st side is N1st_side" in errors
     text = (tmp_path / "a.inp").read_text()
     assert "NSET=N1st_side\n" in text
+    assert "*MATERIAL, NAME=steel_2\n" in text or "*MATERIAL, NAME=Steel_2\n" in text
     assert "NSET=Tip_2\n" in text or "NSET=tip_2\n" in text
     by_ccx(tmp_path)
 

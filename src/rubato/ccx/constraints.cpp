@@ -57,7 +57,7 @@ std::vector<mesh::NodeIndex> plainly_held(const Run& run, const study::Support& 
   return nodes;
 }
 
-/// What unknowns do not give of a dependent dof and supports neither.
+/// The part of a dependent dof that neither unknowns nor supports give.
 double right_side(const model::Model& model, const DependentDof& dependent, double t) {
   double rest = model.reduction.given_part(dependent, t);
   const auto supports = model.reduction.prescribed();

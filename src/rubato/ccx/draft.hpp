@@ -73,7 +73,6 @@ struct Draft {
   std::map<Place, std::string> copies; ///< equations of nodes that move as another one, for a second force
   std::vector<std::string> steps;
   std::map<std::string, std::string> parts; ///< of the last step: supports, loads and temperatures by keyword
-  std::string first_run;
   std::string last_run;
 };
 
@@ -90,8 +89,9 @@ struct Run {
   std::vector<Fault>& faults;
   bool nonlinear = false; ///< NLGEOM
   bool modes = false;
-  std::int64_t next_element = 1;     ///< of those that are no cells: the same numbers in each run
-  std::vector<MovedNode> moved = {}; ///< of obstacles
+  std::int64_t next_element = 1;           ///< of those that are no cells: the same numbers in each run
+  std::vector<MovedNode> moved = {};       ///< of obstacles
+  std::vector<std::string> materials = {}; ///< labels of those that elements have
   std::string body = {};
 
   const study::Study& study() const { return model.study; }
@@ -141,8 +141,8 @@ void write_equation(std::string& body, std::span<const PlaceTerm> terms);
 void write_springs(Run& run);
 void write_masses(Run& run);
 void write_contact(Run& run);
-/// Adds a rigid block whose face is the plane of a zone's obstacle, which supports move. Returns its surface,
-/// called `label`.
+/// Adds a rigid block whose face is the plane of a zone's obstacle, which supports move. `label`: of its
+/// surface and of its set of elements.
 void write_obstacle(Run& run, const study::Obstacle& obstacle, const std::string& zone,
                     const std::string& label);
 void write_initial(Run& run);

@@ -78,7 +78,7 @@ std::string orthotropic_lines(const Material& material) {
 }
 
 /// The axes of a material; nothing where they are those of the model.
-std::string orientation_of(Run& run, const Material& material) {
+std::string orientation_of(Run& run, const Material& material, const std::string& label) {
   const auto& o = material.orthotropy;
   const bool turned = o.angle_x != 0 || o.angle_y != 0 || o.angle_z != 0;
   if (material.law != LawKind::orthotropic || (!turned && !o.cylindrical))
@@ -95,14 +95,14 @@ std::string orientation_of(Run& run, const Material& material) {
     auto d = o.cylindrical->direction;
     if (run.is_plane())
       d = {0, 0, 1};
-    run.body += fmt::format("*ORIENTATION, NAME=OR_{}, SYSTEM=CYLINDRICAL\n", material.name) +
+    run.body += fmt::format("*ORIENTATION, NAME=OR_{}, SYSTEM=CYLINDRICAL\n", label) +
                 line_of({p[0], p[1], p[2], p[0] + d[0], p[1] + d[1], p[2] + d[2]});
   } else {
     const Eigen::Matrix3d axes = material::axes_of(o);
-    run.body += fmt::format("*ORIENTATION, NAME=OR_{}, SYSTEM=RECTANGULAR\n", material.name) +
+    run.body += fmt::format("*ORIENTATION, NAME=OR_{}, SYSTEM=RECTANGULAR\n", label) +
                 line_of({axes(0, 0), axes(1, 0), axes(2, 0), axes(0, 1), axes(1, 1), axes(2, 1)});
   }
-  return fmt::format(", ORIENTATION=OR_{}", material.name);
+  return fmt::format(", ORIENTATION=OR_{}", label);
 }
 
 std::string law_lines(Run& run, const Material& material) {
@@ -181,13 +181,15 @@ void write_materials(Run& run) {
     if (i >= sets.size() || sets[i].empty())
       continue;
     note_strain(run, material);
-    const auto orientation = orientation_of(run, material);
-    run.body += fmt::format("*MATERIAL, NAME={}\n{}", material.name, law_lines(run, material));
+    const auto label = run.draft.labels.chosen("MATERIAL " + study.name, material.name);
+    run.materials.push_back(label);
+    const auto orientation = orientation_of(run, material, label);
+    run.body += fmt::format("*MATERIAL, NAME={}\n{}", label, law_lines(run, material));
     if (material.density.value_or(0) > 0)
       run.body += fmt::format("*DENSITY\n{}\n", shown_number(*material.density));
     run.body += expansion_lines(run, material) + damping_lines(run, material);
     for (const auto& set : sets[i])
-      run.body += fmt::format("*SOLID SECTION, ELSET={}, MATERIAL={}{}\n{}", set, material.name, orientation,
+      run.body += fmt::format("*SOLID SECTION, ELSET={}, MATERIAL={}{}\n{}", set, label, orientation,
                               plane ? shown_number(study.thickness) + "\n" : "");
   }
 }

@@ -72,7 +72,7 @@ bool is_quadratic_brick(CellType type) {
   return type == CellType::quad8 || type == CellType::hexa20;
 }
 
-/// How the element of CalculiX differs from the cells of a material.
+/// Chooses element types for the cells of materials, with notes on what differs.
 class ElementTypes {
 public:
   explicit ElementTypes(Run& run) : run_(run) {}
@@ -189,7 +189,7 @@ std::vector<std::int64_t> written_elements(const Run& run, std::span<const std::
   return numbers;
 }
 
-/// Tells once of the groups whose names are no labels.
+/// A label for a group. Groups whose names are not valid labels are listed in one note.
 std::string label_for(Run& run, std::string_view kind, const std::string& name) {
   auto label = run.draft.labels.chosen(kind, name);
   if (label != name)

@@ -89,7 +89,7 @@ void write_obstacle(Run& run, const study::Obstacle& obstacle, const std::string
   run.body += fmt::format("*ELEMENT, TYPE={}, ELSET={}\n{}", element_of(study.physics), label, rows_of(line));
   const bool has_thickness =
       study.physics == study::Physics::plane_stress || study.physics == study::Physics::plane_strain;
-  run.body += fmt::format("*SOLID SECTION, ELSET={}, MATERIAL={}\n{}", label, study.materials.front().name,
+  run.body += fmt::format("*SOLID SECTION, ELSET={}, MATERIAL={}\n{}", label, run.materials.front(),
                           has_thickness ? shown_number(study.thickness) + "\n" : "");
   run.body +=
       fmt::format("*SURFACE, NAME={}, TYPE=ELEMENT\n{}, S{}\n", label, line.front(), run.is_plane() ? 1 : 2);

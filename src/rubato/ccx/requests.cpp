@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// What is kept of a step.
+// Requests of results.
 #include "rubato/ccx/draft.hpp"
 #include "rubato/mesh/names.hpp"
 

@@ -32,7 +32,7 @@ std::string made_valid(std::string_view name) {
   return label.empty() || !is_letter(label.front()) ? "N" + label : label;
 }
 
-/// CalculiX tells numbers from degrees of freedom by the point.
+/// *SPRING reads a number without a point as a degree of freedom.
 std::string with_point(std::string text) {
   if (text.find('.') == std::string::npos)
     text.insert(std::min(text.find('e'), text.size()), 1, '.');

@@ -132,7 +132,6 @@ void InputFile::add(const study::Study& study, const std::optional<Frequencies>&
   if (is_first) {
     draft.begin = study.time.begin;
     draft.mesh = heading_of(study);
-    draft.first_run = study.name;
     write_mesh(run);
     write_initial(run);
   }
