@@ -349,7 +349,7 @@ def test_names_that_calculix_takes(tmp_path):
     by_ccx(tmp_path)
 
 
-OWN_INPUTS = ["c3d8", "c3d20r", "cpe4", "cax8", "amplitudes", "relations", "gravity", "rigid_body", "two_steps", "points", "orientation"]
+OWN_INPUTS = ["c3d8", "c3d20r", "cpe4", "cax8", "amplitudes", "relations", "gravity", "rigid_body", "two_steps", "preloaded", "points", "orientation"]
 
 
 @pytest.mark.parametrize("name", OWN_INPUTS)

@@ -73,6 +73,7 @@ struct Draft {
   std::map<Place, std::string> copies; ///< equations of nodes that move as another one, for a second force
   std::vector<std::string> steps;
   std::map<std::string, std::string> parts; ///< of the last step: supports, loads and temperatures by keyword
+  bool has_energies = false;                ///< whether the first step has a table of energies of cells
   std::string last_run;
 };
 

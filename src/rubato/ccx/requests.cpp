@@ -143,8 +143,13 @@ std::string file_lines(const Run& run) {
   const bool dynamic = !run.is_static() && !run.modes;
   const bool plastic = std::ranges::any_of(
       run.study().materials, [](const auto& material) { return material.law == study::LawKind::plastic; });
-  return fmt::format("*NODE FILE{}\nU\n{}{}*EL FILE{}\nS\nE\n{}", every, dynamic ? "V\n" : "",
-                     run.modes ? "" : "RF\n", every, plastic && !run.modes ? "PEEQ\n" : "");
+  std::string of_cells = "S\nE\n";
+  if (plastic && !run.modes)
+    of_cells += "PEEQ\n";
+  if (run.draft.steps.empty() && !run.modes)
+    of_cells += "ENER\n"; // later motions and tables of energies need that of the first step
+  return fmt::format("*NODE FILE{}\nU\n{}{}*EL FILE{}\n{}", every, dynamic ? "V\n" : "",
+                     run.modes ? "" : "RF\n", every, of_cells);
 }
 
 } // namespace
