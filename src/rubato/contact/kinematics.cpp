@@ -344,19 +344,19 @@ private:
       variation.resize(3, unknowns);
     out_.d_gap.resize(unknowns);
     out_.d_slip.resize(2, unknowns);
-    for (Index i = 0; i < out_.stencil.weights.size(); ++i) {
-      auto block = of_node(i);
-      if (turned_)
-        add_turning(i, block);
-      write(i, block);
-    }
+    for (Index i = 0; i < slave_count_; ++i)
+      write_turned(i, of_slave_node(i));
+    for (Index j = 0; j < face_.node_count; ++j)
+      write_turned(slave_count_ + j, of_master_node(j));
+    for (Index i = slave_count_ + face_.node_count; i < out_.stencil.weights.size(); ++i)
+      write_turned(i, Block{});
   }
 
-  /// Without what the node adds by the given normal.
-  Block of_node(Index node) const {
-    if (node < slave_count_)
-      return of_slave_node(node);
-    return node < slave_count_ + face_.node_count ? of_master_node(node - slave_count_) : Block{};
+  /// With what the node adds by the given normal.
+  void write_turned(Index node, Block&& block) const {
+    if (turned_)
+      add_turning(node, block);
+    write(node, block);
   }
 
   Block of_slave_node(Index node) const {
