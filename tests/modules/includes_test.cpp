@@ -21,10 +21,9 @@ namespace fs = std::filesystem;
 /// Each module may include those before it. `deck` and `inp` are front ends, beside the mechanics: they see
 /// the study and what a study needs, `inp` also the mesh that its files have, and only programs see them.
 constexpr std::array<std::string_view, 22> order{
-    "core",   "cell",       "study",      "mesh",    "linalg", "material", "element",
-    "domain", "load",       "constraint", "contact", "time",   "model",    "modes",
-    "ccx",    "step",       "simulation", "results", "plot",   "run",      "report",
-    "apps"};
+    "core",       "cell",       "study",   "mesh", "linalg", "material", "element", "domain",
+    "load",       "constraint", "contact", "time", "model",  "modes",    "ccx",     "step",
+    "simulation", "results",    "plot",    "run",  "report", "apps"};
 constexpr std::array<std::string_view, 3> seen_by_deck{"core", "cell", "study"};
 constexpr std::array<std::string_view, 4> seen_by_inp{"core", "cell", "study", "mesh"};
 /// Libraries of matrices know of no mechanics, only how work is dealt out to threads.

@@ -23,8 +23,8 @@ struct QuadraturePoint {
 std::vector<QuadraturePoint> rule_of_degree(CellType type, int degree);
 
 /// `n` Gauss points a direction: SEG n, QUAD n×n, HEXA n×n×n; TRIA by n = 1: 1 point (degree 1), 2: 3 (degree
-/// 2), 3: 6 (degree 4), 4: 12 (degree 6), more: n×n points of a collapsed square (degree 2n−2); PENTA from n =
-/// 2: those of TRIA by n − 1 on n levels. Throws std::invalid_argument for other cells and for n < 1.
+/// 2), 3: 6 (degree 4), 4: 12 (degree 6), more: n×n points of a collapsed square (degree 2n−2); PENTA from n
+/// = 2: those of TRIA by n − 1 on n levels. Throws std::invalid_argument for other cells and for n < 1.
 std::vector<QuadraturePoint> gauss_rule(CellType type, int n);
 
 /// The rule of the stiffness matrix: full integration, exact on affine cells. SEG n = order + 1.

@@ -160,8 +160,8 @@ void read_touching(MapReader& map, const Context& context, bool known_method, st
 void refuse_touching(MapReader& map, const Context& context, study::ContactZone& zone) {
   read_coefficient(map, context, zone);
   for (const auto* key :
-       {"friction_method", "interference", "gap", "normal", "clamped_normal", "smoothing", "bilateral", "freeze",
-        "nodal_pairs", "initially_active", "coefficients", "iterate", "restitution"})
+       {"friction_method", "interference", "gap", "normal", "clamped_normal", "smoothing", "bilateral",
+        "freeze", "nodal_pairs", "initially_active", "coefficients", "iterate", "restitution"})
     map.refuse(key, "surfaces that are tied (tie: true) neither touch nor part nor slide");
 }
 

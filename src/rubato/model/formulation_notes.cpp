@@ -235,8 +235,9 @@ void check_formulations(const study::Study& study, const mesh::Mesh& mesh, const
                       names_of(types), word_of(study::formulation_words, *material.formulation),
                       *material.formulation == Formulation::mean_dilatation
                           ? "all but TRIA3, TETRA4 and pyramids have"
-                      : *material.formulation == Formulation::reduced ? "QUAD4, QUAD8, HEXA8, HEXA20, PENTA6 and PENTA15 have"
-                                                                      : "QUAD4 and HEXA8 have")));
+                      : *material.formulation == Formulation::reduced
+                          ? "QUAD4, QUAD8, HEXA8, HEXA20, PENTA6 and PENTA15 have"
+                          : "QUAD4 and HEXA8 have")));
     if (*material.formulation == Formulation::reduced && std::ranges::any_of(types, study::has_one_point))
       check_one_point(study, material, faults);
   }

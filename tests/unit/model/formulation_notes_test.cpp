@@ -124,7 +124,8 @@ TEST(ReducedCells, OfOnePointAreRefusedWhereTheyCannotBeHad) {
             std::string::npos);
   EXPECT_EQ(refusal_of(warm, "quad8", temperature), "nothing thrown");
   EXPECT_NE(refusal_of("young: 1, poisson: 0.3, density: 1", "tria6")
-                .find("its TRIA6 cells have no reduced, QUAD4, QUAD8, HEXA8, HEXA20, PENTA6 and PENTA15 have; expected full"),
+                .find("its TRIA6 cells have no reduced, QUAD4, QUAD8, HEXA8, HEXA20, PENTA6 and PENTA15 "
+                      "have; expected full"),
             std::string::npos);
 }
 

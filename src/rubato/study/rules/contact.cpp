@@ -201,10 +201,11 @@ private:
                                 "nodes, expected no 'normal'",
                                 word_of(contact_normal_words, zone_.normal), rule.name));
     if (!rule.chooses_normal && zone_.smoothing)
-      rules_.broken({at("smoothing"), at("integration")},
-                    fmt::format("found smoothing: true with the integration {}, whose normals are averages at "
-                                "the slave's nodes already, expected no 'smoothing'",
-                                rule.name));
+      rules_.broken(
+          {at("smoothing"), at("integration")},
+          fmt::format("found smoothing: true with the integration {}, whose normals are averages at "
+                      "the slave's nodes already, expected no 'smoothing'",
+                      rule.name));
     if (!rule.chooses_normal && zone_.projection_tolerance)
       rules_.broken(
           {at("projection_tolerance"), at("integration")},
