@@ -9,9 +9,9 @@
 
 namespace rubato::app {
 
-/// The text of a deck (deck_text of the runs) with the comments of the .inp file that it comes from. Lines
-/// before and within a keyword's block become comments before the entry of the deck that the block gives, or
-/// before the run that a step is; others are at the head.
+/// The text of a deck (deck_text of the runs) with the comments of the .inp file that it comes from. Comments
+/// before and within a keyword's block are before the entry of the deck that the block gives. Those of a step
+/// are before its run, all others at the head.
 std::string with_comments(const std::string& text, const deck::Deck& deck, const std::filesystem::path& inp);
 
 } // namespace rubato::app

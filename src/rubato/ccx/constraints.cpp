@@ -81,7 +81,7 @@ bool has_right_side(const Run& run, const DependentDof& dependent) {
   });
 }
 
-/// The displacement along x of a node that has nothing else stands for a right side. Equal ones share it.
+/// A right side is the displacement along x of a node that has nothing else. Equal right sides share a node.
 Place place_of_right_side(Run& run, const Course& course) {
   const auto purpose = fmt::format("right side {} {}", shown_number(course.factor), course.amplitude);
   return {made_node(run.draft, purpose), 1};

@@ -18,10 +18,10 @@ namespace {
 using study::ContactMethod;
 using study::ContactZone;
 
-/// Stiffness of contact that stands for an exact one, in parts of that of the faces' cells: E over the length
+/// Stiffness of contact in place of an exact one, in parts of that of the faces' cells: E over the length
 /// of a slave face. The surfaces overlap by half a percent of what these cells are compressed.
 constexpr double stiff = 200;
-/// Stick slope in parts of it.
+/// Stick slope in parts of that stiffness.
 constexpr double stick = 0.1;
 
 using Corners = std::vector<mesh::NodeIndex>;

@@ -65,7 +65,7 @@ struct Draft {
 
   std::string mesh;       ///< nodes, elements, sets and surfaces
   std::string more_sets;  ///< that steps refer to
-  std::string more_nodes; ///< that stand for displacements of others
+  std::string more_nodes; ///< nodes with displacements of others
   std::string amplitudes;
   std::map<std::string, std::string> amplitude_of_table; ///< label by text
   std::string initial;
@@ -125,10 +125,10 @@ Place place_of(const Run& run, int dof);
 
 /// Instants at which a run has steps, ascending, with the first one.
 std::vector<double> instants_of(const study::TimeStepping& time);
-/// Whether these are equally far from one another.
+/// Returns whether the steps of a run are equally long.
 bool has_equal_steps(const study::TimeStepping& time);
 Course course_of(Run& run, double value, const std::optional<Function>& function, std::string_view name);
-/// Of a function that is only known by its values; `name` is that of the amplitude.
+/// The course of a function that is only known by its values; `name` is that of the amplitude.
 Course sampled_course(Run& run, const std::function<double(double)>& value_at, std::string_view name);
 
 // ---- parts of the body

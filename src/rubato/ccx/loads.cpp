@@ -154,7 +154,7 @@ private:
         forces_.add(place_of(run_, static_cast<int>(dof)), {pattern[dof] * course.factor, course.amplitude});
   }
 
-  /// Whether it is one GRAV of whole sets of elements; CalculiX takes one of each set.
+  /// Returns whether a load is one GRAV of whole sets of elements; CalculiX takes one of each set.
   bool is_weight(const Load& load) {
     if (!has_numbers(load) || !run_.study().masses.empty() || weighted_)
       return false;
@@ -188,7 +188,7 @@ private:
     return fmt::format("{}{}", name, course.amplitude.empty() ? "" : ", AMPLITUDE=" + course.amplitude);
   }
 
-  /// Whether no other pressure acts on one of its faces: a second one would replace it.
+  /// Returns whether no other pressure acts on a face of the group: a second one would replace it.
   bool is_new_surface(const std::string& group) {
     const auto& mesh = run_.model.mesh;
     const auto* items = mesh.cell_group(group);

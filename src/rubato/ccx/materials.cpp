@@ -68,7 +68,8 @@ std::string rubber_lines(Run& run, const Material& material) {
   return "*HYPERELASTIC, MOONEY-RIVLIN\n" + line_of({given.c10, given.c01, d});
 }
 
-/// What has no effect in plane physics and was left out is taken as rubato does, from other directions.
+/// Constants that have no effect in plane physics and are not given are those of other directions, as in
+/// rubato.
 std::string orthotropic_lines(const Material& material) {
   const auto& o = material.orthotropy;
   return "*ELASTIC, TYPE=ENGINEERING CONSTANTS\n" +

@@ -14,8 +14,8 @@ using Eigen::Vector3d;
 
 /// Depth of a block in parts of its half width.
 constexpr double depth = 0.1;
-/// Where it begins near an axis of revolution, likewise: CalculiX misses contact with a face that ends on the
-/// axis.
+/// Inner radius of a block near an axis of revolution, likewise: CalculiX misses contact with a face that
+/// ends on the axis.
 constexpr double next_to_axis = 1e-4;
 
 /// Where the bodies are.

@@ -16,7 +16,7 @@ Rule square_rule(int n);
 Rule cube_rule(int n);
 /// n×n points, exact to degree 2n−2: one degree is spent on the Jacobian of the collapsed square.
 Rule collapsed_triangle_rule(int n);
-/// Those of gauss_rule.
+/// The points of gauss_rule in a triangle.
 Rule triangle_rule(int n);
 /// The points of a triangle on n levels along the axis.
 Rule prism_rule(const Rule& triangle, int n);

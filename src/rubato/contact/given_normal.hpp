@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-/// A contact normal that is not that of the master's face alone: from the slave's normal n_s
-/// (slave_normal.hpp), from averages n_m at the master's nodes (averaged_normal.hpp), or from both sides. It
-/// is the unit of
+/// Contact normals that are not those of the master's face alone. They come from the slave's normal n_s
+/// (slave_normal.hpp), from averages n_m at the master's nodes (averaged_normal.hpp), or from both. Each is
+/// the unit of
 ///
 ///   slave               −n_s
 ///   average             n − n_s, with n the normal of the master's face, or n_m/|n_m| of smoothed ones
@@ -20,13 +20,13 @@ namespace rubato::contact {
 struct GivenNormal {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero(); ///< what it is the unit of, less the face's n if that counts
   bool adds_face = false;                        ///< whether the normal n of the master's face is added
-  /// Of averages at the master's nodes: ∂sum/∂ξ. Else 0.
+  /// ∂sum/∂ξ of averages at the master's nodes. Else 0.
   std::array<Eigen::Vector3d, 2> by_place{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
 };
 
-/// Whether the zone has such normals.
+/// Returns whether the zone has such normals.
 bool gives_normal(const study::ContactZone& settings);
-/// Whether the nodes around a master face turn the normal there.
+/// Returns whether the nodes around a master face turn the normal there.
 bool averages_master(const study::ContactZone& settings);
 
 /// At ξ of a face of the master.

@@ -58,8 +58,8 @@ struct Kinematics {
   std::array<Variation<3>, 2> d_tangent;
   Variation<1> d_gap;
   Variation<2> d_slip;
-  /// Of normals that the slave or averages at nodes give: how these turn the other way, δn_s − δn_m over q
-  /// at a place that does not move; of faces' normals over the slave nodes' part of q alone. Else unused.
+  /// δn_s − δn_m over q at a place that does not move, where the slave or averages at nodes give the normal.
+  /// Else unused.
   Variation<3> d_given_normal;
   /// −∂N_j/∂ξ_b(ξ̄) on master nodes, 0 on slave nodes: the weights' own change is shape_slope · dξ̄.
   Eigen::Matrix<double, Eigen::Dynamic, 2> shape_slope;

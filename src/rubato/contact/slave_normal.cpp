@@ -37,7 +37,7 @@ void add_variation(const FaceNormal& normal, const SlavePoint& point, int compon
   }
 }
 
-/// What the normal is the unit of.
+/// The vector whose unit is the normal.
 Vector3d sum_of_normals(const Zone& zone, const SlavePoint& point, const Configuration& configuration) {
   Vector3d sum(0, 0, 0);
   for (const auto& on : point.stands_on)

@@ -38,7 +38,7 @@ struct Surface {
   std::vector<mesh::NodeIndex> nodes;          ///< ascending, without repeats
   std::vector<std::vector<int>> faces_of_node; ///< by position in `nodes`
   std::vector<std::uint8_t> at_edge;           ///< by position: whether the surface ends there (kinks.hpp)
-  /// Of a surface whose normals are averaged: the smooth part of each face (sharp_edges.hpp). Else empty.
+  /// The smooth part of each face (sharp_edges.hpp) where normals are averaged. Else empty.
   std::vector<std::size_t> smooth_part;
   double shortest_edge = 0; ///< between corners, undeformed [length]
   double longest_edge = 0;

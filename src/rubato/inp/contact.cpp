@@ -102,7 +102,7 @@ void add_zone(Reading& reading, study::ContactZone zone, std::string_view label,
   reading.study.contact.push_back(std::move(zone));
 }
 
-/// Whether it has keywords that CalculiX does not have.
+/// Returns whether a file has keywords that CalculiX does not have.
 bool is_of_abaqus(const Content& content) {
   return std::ranges::any_of(content.layout.blocks, [](const Placed& placed) {
     const auto& block = *placed.block;

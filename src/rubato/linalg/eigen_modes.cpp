@@ -21,9 +21,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Above it vectors are corrected.
+/// Vectors with a larger residual are corrected.
 constexpr double wanted_residual = 1e-9;
-/// Of modes that count as found. Values are off by about its square.
+/// Modes with a larger residual do not count as found. Values are off by about its square.
 constexpr double largest_residual = 1e-7;
 
 /// Vectors beyond the wanted ones: the last of these converge faster with neighbours beside them.

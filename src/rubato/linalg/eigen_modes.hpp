@@ -18,8 +18,8 @@ struct EigenModes {
   /// carry. An eigenvalue μ of the matrices is no farther from λ than that part of μ − σ.
   Eigen::VectorXd residuals;
   double shift = 0; ///< σ: 0 when K is positive definite, else < 0
-  /// Whether residuals are below 1e-7, or below what rounding of φ leaves where that is more, and no
-  /// smaller value was found in vectors orthogonal to these.
+  /// Whether residuals are below 1e-7, or below what rounding of φ leaves where that is more. No smaller
+  /// value was found in vectors orthogonal to these then.
   bool converged = false;
 };
 

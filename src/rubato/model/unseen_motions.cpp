@@ -56,7 +56,7 @@ int open_directions(CellType type, std::uint32_t open) {
   return count;
 }
 
-/// Whether nothing beside the cell resists the motions without strain at its points: those of QUAD8 and
+/// Returns whether nothing beside a cell resists the motions without strain at its points: of QUAD8 and
 /// HEXA20, and of PENTA6 the twist about its axis. PENTA15 has none.
 bool is_unseen(CellType type, std::uint32_t open) {
   if (cell::topology(type).corner_count != 6)

@@ -177,7 +177,7 @@ private:
     return word == "EVOL" ? volumes.sum() : (energy_at_own_points(cell) * volumes)(0);
   }
 
-  /// Of cells with points of lower order the function through the energies there: its integral is their sum.
+  /// Cells with points of lower order: the function through the energies there, whose integral is their sum.
   MatrixXd energy_at_own_points(std::size_t cell) {
     const auto& points = points_of(cell);
     if (points.to_points.size() > 0)

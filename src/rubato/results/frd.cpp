@@ -210,7 +210,7 @@ struct BlockHead {
   bool modal = false;
 };
 
-/// Of a mode its number as well.
+/// Lines before the values of a block. A mode has its number, too.
 std::string first_lines(const BlockHead& head) {
   auto text = fmt::format("    1PSTEP{:26}{:12}{:12}          \n", head.block, head.increment, head.step);
   return head.modal ? text + fmt::format("    1PMODE{:26}\n", head.increment) : text;

@@ -53,7 +53,7 @@ public:
   /// Appends the blocks of an instant; `increment` counts within the step. Throws WriteError and restores the
   /// file.
   void add(double t, int increment, std::span<const FrdBlock> blocks);
-  /// The same of a natural mode, whose number counts from 1.
+  /// Appends the blocks of a natural mode, whose number counts from 1.
   void add_mode(double frequency, int number, std::span<const FrdBlock> blocks);
   void cut(const FrdPosition& position);
   const FrdPosition& position() const { return position_; }

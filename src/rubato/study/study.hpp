@@ -241,7 +241,7 @@ struct ContactZone {
   FrictionMethod friction_method = FrictionMethod::augmented_lagrangian;
   ContactNormal normal = ContactNormal::master;
   ClampedNormal clamped_normal = ClampedNormal::projection;
-  /// Whether normals are averaged at the nodes of their surface and interpolated over its faces.
+  /// True: normals are averaged at the nodes of their surface and interpolated over its faces.
   bool smoothing = false;
   ContactRule integration;
   /// How far outside a master face a point may lie that still faces it, in reference lengths of the face: a
