@@ -46,7 +46,8 @@ public:
     collect_nodes();
     set_master_frame();
     if (turned_)
-      set_turned_frame(given());
+      set_turned_frame(
+          given_.emplace(given_normal(zone_, point_, face_index_, projection_.clamped, configuration_)));
     measure_gap();
     measure_slip();
   }
@@ -243,10 +244,6 @@ private:
     }
   }
 
-  GivenNormal given() const {
-    return given_normal(zone_, point_, face_index_, projection_.clamped, configuration_);
-  }
-
   /// From the master's frame to one with the given normal. τ₁ keeps the master's first direction as far as
   /// the normal allows. Returns the length of what the normal is the unit of.
   double set_turned_frame(const GivenNormal& given) {
@@ -261,15 +258,14 @@ private:
     const auto master = rows_;
     vary_given_normal(zone_, point_, face_index_, projection_.clamped, configuration_, out_.stencil.nodes,
                       out_.d_given_normal);
-    const auto of_point = given();
-    const double length = set_turned_frame(of_point);
+    const double length = set_turned_frame(*given_);
     const auto against_normal = [&](const Vector3d& v, int which) { // −v·dn
       Row sum;
       clear(sum);
       add(1, v, motion(sum, turning()));
       for (std::size_t a = 0; a < Dimension; ++a)
-        add(-dot(v, of_point.by_place[a]), rows_[a], sum);
-      if (of_point.adds_face) {
+        add(-dot(v, given_->by_place[a]), rows_[a], sum);
+      if (given_->adds_face) {
         add(dot(v, t1), master[beta], sum);
         if constexpr (Dimension == 2)
           add(dot(v, t2), master[gamma], sum);
@@ -442,6 +438,7 @@ private:
   std::optional<FaceGeometry> free_;           ///< where it differs and has been asked for
   Eigen::Matrix<double, 3, 2> added_tangents_; ///< of both, where the frame takes them
   Vector3d slave_position_;
+  std::optional<GivenNormal> given_; ///< where the normal is not the face's alone
   Vector3d moved_; ///< the point relative to its place on the master, since the start of the step
   /// The factor of each master node's displacement in the motions of the free place.
   std::array<std::array<double, place_motions>, 9> free_weights_;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Tables of cells: at integration points, and of whole cells.
-#include "rubato/cell/quadrature.hpp"
 #include "rubato/cell/shape_table.hpp"
 #include "rubato/domain/behaviour.hpp"
 #include "rubato/domain/heat.hpp"
@@ -132,8 +131,7 @@ private:
       return quantities_.at_points(ProbeField::stress, cell) * points.from_points;
     if (word == "E")
       return quantities_.at_points(ProbeField::strain, cell) * points.from_points;
-    return word == "ME" ? mechanical_strain(cell) * points.from_points
-                        : energy_density(cell, points.from_points);
+    return word == "ME" ? mechanical_strain(cell) * points.from_points : energy_at(cell, points);
   }
 
   /// Tensors, without what expands freely.
@@ -148,11 +146,14 @@ private:
     return strain - free * heat->degrees(cell, temperatures_).transpose();
   }
 
-  /// ½ σ:ε of elastic materials at points that have their values from those of the cell, a row.
-  MatrixXd energy_density(std::size_t cell, const MatrixXd& from_points) {
-    const MatrixXd stress = quantities_.at_points(ProbeField::stress, cell) * from_points;
-    const MatrixXd products = stress.cwiseProduct(mechanical_strain(cell) * from_points);
+  /// ½ σ:ε of elastic materials, a row.
+  static MatrixXd energy_density(const MatrixXd& stress, const MatrixXd& strain) {
+    const MatrixXd products = stress.cwiseProduct(strain);
     return products.topRows(3).colwise().sum() / 2 + products.bottomRows(3).colwise().sum();
+  }
+  MatrixXd energy_at(std::size_t cell, const CcxPoints& points) {
+    return energy_density(quantities_.at_points(ProbeField::stress, cell) * points.from_points,
+                          mechanical_strain(cell) * points.from_points);
   }
 
   double kinetic_energy(std::size_t cell) const {
@@ -181,9 +182,8 @@ private:
   MatrixXd energy_at_own_points(std::size_t cell) {
     const auto& points = points_of(cell);
     if (points.to_points.size() > 0)
-      return energy_density(cell, points.from_points) * points.to_points;
-    const auto own = static_cast<Index>(cell::stiffness_rule(type_of(cell)).size());
-    return energy_density(cell, MatrixXd::Identity(own, own));
+      return energy_at(cell, points) * points.to_points;
+    return energy_density(quantities_.at_points(ProbeField::stress, cell), mechanical_strain(cell));
   }
 
   const TableSource& source_;

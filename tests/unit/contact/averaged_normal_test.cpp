@@ -124,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Combine(testing::Values("quad4", "quad8", "tria6", "hexa8", "hexa20", "penta15"),
                      testing::Values("master", "slave", "average"), testing::Values("nodes", "{gauss: 3}")));
 
-/// Faces of a surface whose nodes stand on a cylinder: averages are along its radii at the nodes, and keep
+/// Faces of a surface whose nodes lie on a cylinder: averages are along its radii at the nodes, and keep
 /// close to them between the nodes.
 TEST(AveragedNormals, AreThoseOfACylinderAtItsNodes) {
   const auto model = test::model_of(deck_of("hexa8", "smoothing: true, integration: nodes"));
